@@ -1,0 +1,37 @@
+/// \file
+/// What a planner decides, and what every executor carries out.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace whittle {
+
+/// One half-edge collapse: `from` vanishes into `to`, which then lies at `target`.
+struct Collapse {
+  std::uint32_t from, to;
+  std::uint32_t faces;  ///< how many vanish with it: two, or one at a boundary
+  Eigen::Vector3d target;
+};
+
+/// How the planning went. A cluster is a set of vertices that become one: three in a fold of a triangle, two
+/// in a fold of an edge or in the removal of a vertex.
+struct PlanRecord {
+  std::size_t planned = 0;                ///< clusters in the plan
+  std::size_t refused_by_flip_guard = 0;  ///< clusters that would have turned a face over
+  std::size_t refused_by_link = 0;        ///< clusters that would have broken the manifold (link condition)
+  std::size_t fell_back = 0;  ///< clusters planned smaller than wanted because the whole was refused
+};
+
+/// An ordered list of half-edge collapses. The place in the list is the rank: executors go through it in
+/// order, and every prefix of it is a valid, coarser mesh. `from` occurs at most once; a survivor may serve
+/// often.
+struct CollapsePlan {
+  std::vector<Collapse> collapses;
+  std::vector<std::size_t> stages;  ///< where each stage begins in `collapses`; composites have more than one
+  PlanRecord record;
+};
+
+}  // namespace whittle

@@ -1,0 +1,55 @@
+/// \file
+/// From an OpenMesh mesh to the flat arrays that planners work on.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "whittle/IndexedMesh.hh"
+#include "whittle/Surface.hh"
+#include "whittle/errors.hh"
+
+namespace whittle {
+
+/// The points and faces of an OpenMesh mesh. Vertices keep their indices, deleted ones included, so that a
+/// plan can be looked up by handle; deleted faces are left out. \throw InvalidMesh  a face is not a triangle.
+template <typename Mesh>
+IndexedMeshT<typename Mesh::Scalar> to_indexed(const Mesh& mesh) {
+  IndexedMeshT<typename Mesh::Scalar> out;
+  out.points.reserve(mesh.n_vertices());
+  out.triangles.reserve(mesh.n_faces());
+  for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
+    const auto& p = mesh.point(typename Mesh::VertexHandle(static_cast<int>(v)));
+    out.points.emplace_back(p[0], p[1], p[2]);
+  }
+  for (std::size_t f = 0; f < mesh.n_faces(); ++f) {
+    const typename Mesh::FaceHandle face(static_cast<int>(f));
+    if (mesh.has_face_status() && mesh.status(face).deleted()) continue;
+    auto h = mesh.halfedge_handle(face);
+    typename IndexedMeshT<typename Mesh::Scalar>::Triangle triangle;
+    for (std::uint32_t& corner : triangle) {
+      corner = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
+      h = mesh.next_halfedge_handle(h);
+    }
+    if (h != mesh.halfedge_handle(face))
+      throw InvalidMesh("face " + std::to_string(f) + " is not a triangle");
+    out.triangles.push_back(triangle);
+  }
+  return out;
+}
+
+/// What the user said of each vertex: locked, feature.
+template <typename Mesh>
+std::vector<std::uint8_t> user_flags(const Mesh& mesh) {
+  std::vector<std::uint8_t> flags(mesh.n_vertices(), 0);
+  if (!mesh.has_vertex_status()) return flags;
+  for (std::size_t v = 0; v < flags.size(); ++v) {
+    const auto& status = mesh.status(typename Mesh::VertexHandle(static_cast<int>(v)));
+    if (status.locked()) flags[v] |= kLocked;
+    if (status.feature()) flags[v] |= kFeature;
+  }
+  return flags;
+}
+
+}  // namespace whittle
