@@ -1,0 +1,53 @@
+/// \file
+/// Finds the face of a surface that is closest to a point.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "measure/Surface.hh"
+
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
+namespace whittle::measure {
+
+/// A search tree over the faces of a surface, which must outlive it. Safe to ask from several threads.
+///
+/// Embree's tree works in single precision; it only rules faces out, with a margin wider than its rounding.
+/// Distances are computed in double precision on the original coordinates, so the answer is that of a search
+/// over all faces.
+class ClosestFace {
+ public:
+  /// \param threads  that build the tree; 0: all cores.
+  ClosestFace(const Surface& surface, unsigned threads);
+  ClosestFace(Surface&& surface, unsigned threads) = delete;
+
+  struct Answer {
+    double squared_distance;
+    std::size_t face;  ///< an index into the surface; of equally close faces the first
+  };
+  Answer closest(const Eigen::Vector3d& point) const;
+
+  /// All faces within a distance of a point, in ascending order.
+  std::vector<std::size_t> within(const Eigen::Vector3d& point, double distance) const;
+
+ private:
+  struct Release {
+    void operator()(RTCDeviceTy* device) const;
+    void operator()(RTCSceneTy* scene) const;
+  };
+
+  template <typename Visit>
+  void search(const Eigen::Vector3d& point, double distance, Visit visit) const;
+
+  const Surface& surface_;
+  Eigen::Vector3d centre_;
+  double scale_ = 1;  // Embree's coordinates are (point - centre_) * scale_, within [-0.5, 0.5]
+  std::unique_ptr<RTCDeviceTy, Release> device_;
+  std::unique_ptr<RTCSceneTy, Release> scene_;
+};
+
+}  // namespace whittle::measure

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Installs what Whittle is built and tested with, on Debian 12, by package name. Safe to run again.
+set -euo pipefail
+
+packages=(
+  # Compilers and tools; clang for the tidy preset.
+  build-essential clang clang-format clang-tidy cmake ninja-build ccache git pkg-config
+  # The library: OpenMesh's headers lean on Eigen.
+  libopenmesh-dev libeigen3-dev
+  # The programs: command line, JSON, distances (the Embree package brings TBB), PNG.
+  libcli11-dev nlohmann-json3-dev libembree-dev libpng-dev
+  # Rendering: EGL without a window system, the software renderer, the viewer's window.
+  libegl-dev libegl1 libgl1-mesa-dri libepoxy-dev libglfw3-dev
+  # Tests, and certificates for those who fetch over HTTPS.
+  catch2 ca-certificates
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [[ $status == installed ]] || missing+=("$package")
+done
+
+if ((${#missing[@]} == 0)); then
+  echo "bootstrap: all ${#packages[@]} packages are installed; nothing to do"
+  exit 0
+fi
+echo "bootstrap: installing ${missing[*]}"
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo >/dev/null; then
+    echo "bootstrap: needs root: run it as root, or install sudo" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
+echo "bootstrap: done"
