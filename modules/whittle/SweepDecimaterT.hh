@@ -4,6 +4,7 @@
 
 #include <OpenMesh/Tools/Decimater/BaseDecimaterT.hh>
 #include <cstddef>
+#include <vector>
 
 #include "whittle/ModPlannedT.hh"
 
@@ -20,6 +21,7 @@ class SweepDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   using Base = OpenMesh::Decimater::BaseDecimaterT<MeshT>;
   using Mesh = MeshT;
   using CollapseInfo = typename Base::CollapseInfo;
+  using VertexHandle = typename Mesh::VertexHandle;
 
   explicit SweepDecimaterT(Mesh& mesh) : Base(mesh), mesh_(mesh) {}
 
@@ -58,12 +60,17 @@ class SweepDecimaterT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     return sweep(~std::size_t{0}, n_vertices, n_faces, only_selected);
   }
 
-  /// Planned collapses of the last run that were illegal or that another module forbade.
+  /// Planned collapses of the last run that were illegal or that another module forbade; 0 if it stopped
+  /// early.
   std::size_t refused() const { return refused_; }
 
  private:
   std::size_t sweep(std::size_t n_collapses, std::size_t min_vertices, std::size_t min_faces,
                     bool only_selected);
+
+  /// One collapse with all that belongs to it.
+  /// \return how many faces vanished; 0 where the collapse is illegal or another module forbids it.
+  std::size_t execute(const Collapse& collapse);
 
   Mesh& mesh_;
   PlannedModule* planned_ = nullptr;
@@ -79,33 +86,46 @@ std::size_t SweepDecimaterT<MeshT>::sweep(std::size_t n_collapses, std::size_t m
   for (auto v : mesh_.all_vertices()) vertices += !mesh_.status(v).deleted();
   for (auto f : mesh_.all_faces()) faces += !mesh_.status(f).deleted();
 
+  std::vector<const Collapse*> pending;
   for (const Collapse& collapse : planned_->plan().collapses) {
-    if (done >= n_collapses || vertices <= min_vertices || faces <= min_faces) break;
-    const typename Mesh::VertexHandle from(static_cast<int>(collapse.from)),
-        to(static_cast<int>(collapse.to));
-    if (mesh_.status(from).deleted() || mesh_.status(to).deleted()) continue;
-    if (only_selected && !mesh_.status(from).selected()) continue;
-    const auto edge = mesh_.find_halfedge(from, to);
-    if (!edge.is_valid()) {
-      ++refused_;
-      continue;
-    }
-    CollapseInfo ci(mesh_, edge);
-    if (!this->is_collapse_legal(ci) || this->collapse_priority(ci) < 0) {
-      ++refused_;
-      continue;
-    }
-    --vertices;
-    faces -= (ci.fl.is_valid() ? 1u : 0u) + (ci.fr.is_valid() ? 1u : 0u);
-    this->preprocess_collapse(ci);
-    mesh_.collapse(edge);
-    ++done;
-    if (mesh_.has_face_normals())
-      for (auto f = mesh_.cvf_iter(to); f.is_valid(); ++f) mesh_.set_normal(*f, mesh_.calc_face_normal(*f));
-    this->postprocess_collapse(ci);
-    if (!this->notify_observer(done)) break;
+    const VertexHandle from(static_cast<int>(collapse.from));
+    if (!mesh_.status(from).deleted() && (!only_selected || mesh_.status(from).selected()))
+      pending.push_back(&collapse);
   }
+  // What another module refuses now, it may allow once the neighbourhood has changed.
+  for (std::size_t before = pending.size() + 1; pending.size() < before;) {
+    before = pending.size();
+    auto still = pending.begin();
+    for (const Collapse* collapse : pending) {
+      if (done >= n_collapses || vertices <= min_vertices || faces <= min_faces) return done;
+      const std::size_t vanished = execute(*collapse);
+      if (vanished == 0) {
+        *still++ = collapse;
+        continue;
+      }
+      --vertices;
+      faces -= vanished;
+      if (!this->notify_observer(++done)) return done;
+    }
+    pending.erase(still, pending.end());
+  }
+  refused_ = pending.size();
   return done;
+}
+
+template <typename MeshT>
+std::size_t SweepDecimaterT<MeshT>::execute(const Collapse& collapse) {
+  const auto edge = mesh_.find_halfedge(VertexHandle(static_cast<int>(collapse.from)),
+                                        VertexHandle(static_cast<int>(collapse.to)));
+  if (!edge.is_valid()) return 0;
+  CollapseInfo ci(mesh_, edge);
+  if (!this->is_collapse_legal(ci) || this->collapse_priority(ci) < 0) return 0;
+  this->preprocess_collapse(ci);
+  mesh_.collapse(edge);
+  if (mesh_.has_face_normals())
+    for (auto f = mesh_.cvf_iter(ci.v1); f.is_valid(); ++f) mesh_.set_normal(*f, mesh_.calc_face_normal(*f));
+  this->postprocess_collapse(ci);
+  return (ci.fl.is_valid() ? 1u : 0u) + (ci.fr.is_valid() ? 1u : 0u);
 }
 
 }  // namespace whittle
