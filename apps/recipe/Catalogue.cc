@@ -1,0 +1,109 @@
+#include "recipe/Catalogue.hh"
+
+#include <cmath>
+
+#include "recipe/Spec.hh"
+
+namespace whittle::recipe {
+namespace {
+
+Key number(std::string name, double min, double max, std::string meaning) {
+  return {std::move(name), KeyKind::number, min, max, {}, std::move(meaning)};
+}
+Key integer(std::string name, double min, double max, std::string meaning) {
+  return {std::move(name), KeyKind::integer, min, max, {}, std::move(meaning)};
+}
+Key length(std::string name, std::string meaning) {
+  return {std::move(name), KeyKind::length, 0, HUGE_VAL, {}, std::move(meaning)};
+}
+Key choice(std::string name, std::vector<std::string> choices, std::string meaning) {
+  return {std::move(name), KeyKind::choice, 0, 0, std::move(choices), std::move(meaning)};
+}
+
+std::vector<ModuleInfo> make_catalogue() {
+  const Key passes = integer("passes", 1, 1000,
+                             "repeat so often or until nothing changes; 1, or as often as a target needs");
+  const Key guard = number("guard", -1, 0.999, "least cosine of a face's turn; 0.2, -1 is off");
+  return {
+      {"fad",
+       Role::planned,
+       "removes vertices whose faces lie nearly in a plane",
+       {number("angle", 0, 180, "largest angle between face normals, degrees; 30"),
+        number("included", 0, 180, "the same as an included angle, degrees; 150"),
+        choice("pairs", {"adjacent", "all"}, "which faces are compared; adjacent"),
+        integer("count", 1, 1e6, "how many of the angles must qualify; all"),
+        number("area", 0, HUGE_VAL, "largest area of the vertex's faces, square units; none"),
+        choice("lock", {"ring", "strict"}, "what a removal keeps in place; ring"),
+        choice("apex", {"delaunay", "lexicographic"}, "where the new fan starts; delaunay"), guard, passes}},
+      {"ivdd",
+       Role::planned,
+       "folds short edges and small triangles to a point",
+       {length("distance", "edges shorter than this fold; required without a target"),
+        choice("placement", {"enclosing", "circumcenter"}, "where a triangle folds to; enclosing"), guard,
+        passes}},
+      {"quadric",
+       Role::priority,
+       "OpenMesh's ModQuadricT: least quadric error first",
+       {number("max-err", 0, HUGE_VAL, "largest quadric error, square units; required without a target")}},
+      {"normal-flipping",
+       Role::constraint,
+       "OpenMesh's ModNormalFlippingT",
+       {number("angle", 0, 180, "largest turn of a face normal, degrees; 90")}},
+      {"normal-deviation",
+       Role::constraint,
+       "OpenMesh's ModNormalDeviationT",
+       {number("angle", 0, 360, "largest normal cone, degrees; 180")}},
+      {"aspect-ratio",
+       Role::constraint,
+       "OpenMesh's ModAspectRatioT",
+       {number("ratio", 1, HUGE_VAL, "largest aspect ratio of a triangle; 5")}},
+      {"edge-length",
+       Role::constraint,
+       "OpenMesh's ModEdgeLengthT",
+       {length("length", "longest edge that may collapse; no bound")}},
+      {"hausdorff",
+       Role::constraint,
+       "OpenMesh's ModHausdorffT",
+       {length("tolerance", "largest one-sided distance; 0.5% of the diagonal")}},
+      {"roundness",
+       Role::constraint,
+       "OpenMesh's ModRoundnessT",
+       {number("min", 0, 1, "least roundness; 0.1")}},
+      {"independent-sets", Role::constraint, "OpenMesh's ModIndependentSetsT: a collapse locks its ring", {}},
+  };
+}
+
+}  // namespace
+
+const std::vector<ModuleInfo>& catalogue() {
+  static const std::vector<ModuleInfo> modules = make_catalogue();
+  return modules;
+}
+
+const ModuleInfo& find_module(const std::string& name) {
+  std::string known;
+  for (const ModuleInfo& module : catalogue()) {
+    if (module.name == name) return module;
+    known += (known.empty() ? "" : ", ") + module.name;
+  }
+  throw RecipeError("unknown module '" + name + "'; there are " + known);
+}
+
+std::string catalogue_help() {
+  std::string text;
+  for (const ModuleInfo& module : catalogue()) {
+    text += "  " + module.name + ": " + module.meaning +
+            (module.role == Role::constraint ? " (constraint)" : "") + "\n";
+    for (const Key& key : module.keys) {
+      text += "      " + key.name + "=";
+      if (key.kind == KeyKind::length) text += "LENGTH";
+      if (key.kind == KeyKind::number) text += "NUMBER";
+      if (key.kind == KeyKind::integer) text += "N";
+      for (std::size_t i = 0; i < key.choices.size(); ++i) text += (i ? "|" : "") + key.choices[i];
+      text += "  " + key.meaning + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace whittle::recipe

@@ -1,0 +1,74 @@
+/// \file
+/// A recipe says what is done to a mesh: a chain of modules with their parameters, and a target.
+///
+/// The command line, the benchmark and the viewer all run meshes through this type, so their numbers agree.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recipe/Spec.hh"
+#include "whittle/CollapsePlan.hh"
+#include "whittle/IndexedMesh.hh"
+
+namespace whittle::recipe {
+
+/// Who executes the plans. `automatic`: bulk for planned modules alone, sweep for planned modules with
+/// constraints, OpenMesh's DecimaterT for stock priority modules.
+enum class Driver { automatic, bulk, sweep, decimater, mc };
+
+/// The driver of that name. \throw RecipeError
+Driver parse_driver(const std::string& name);
+std::string to_string(Driver driver);
+
+/// When to stop; without any, a stage goes as far as its threshold takes it.
+struct Target {
+  std::optional<double> ratio;          ///< of the faces, in (0, 1)
+  std::optional<std::size_t> faces;     ///< at most this many
+  std::optional<std::size_t> vertices;  ///< at most this many
+  bool any() const { return ratio || faces || vertices; }
+};
+
+struct Recipe {
+  std::vector<Spec> modules;  ///< in order; stock binary modules constrain the stage before them
+  Target target;
+  Driver driver = Driver::automatic;
+};
+
+/// What one stage did.
+struct StageResult {
+  std::string module;                 ///< the specification as it was run, thresholds filled in
+  Driver driver = Driver::automatic;  ///< the one that ran
+  std::size_t passes = 0;
+  std::size_t faces_before = 0, faces_after = 0;
+  PlanRecord record;          ///< clusters planned and refused; empty for stock modules
+  std::size_t collapses = 0;  ///< executed
+  std::size_t refused_by_decimater =
+      0;  ///< planned collapses that the driver found illegal or a constraint refused
+  double plan_seconds = 0, execute_seconds = 0;
+};
+
+struct Result {
+  IndexedMesh mesh;
+  std::vector<StageResult> stages;
+  std::vector<std::uint32_t> vertex_map;  ///< for each input vertex the output vertex that it became
+  std::size_t flipped_faces = 0;  ///< faces turned by more than 90 degrees against their own original normal
+  std::size_t refused_faces = 0;  ///< input faces that OpenMesh could not take (non-manifold), left out
+  bool target_reached = true;     ///< false: no more legal collapses within the thresholds
+};
+
+/// Finds what `run` would object to, without a mesh.
+/// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a module, neither
+/// threshold
+///                     nor target, a ratio outside of (0, 1).
+void check(const Recipe& recipe);
+
+/// Runs a recipe. The input is not changed. A target without a threshold makes the stage search for the
+/// threshold. \throw RecipeError  as check(). \throw InvalidMesh  an index out of range, a coordinate that is
+/// not finite.
+Result run(const IndexedMesh& mesh, const Recipe& recipe);
+
+}  // namespace whittle::recipe

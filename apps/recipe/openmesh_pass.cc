@@ -1,0 +1,216 @@
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/System/omstream.hh>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/McDecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModAspectRatioT.hh>
+#include <OpenMesh/Tools/Decimater/ModEdgeLengthT.hh>
+#include <OpenMesh/Tools/Decimater/ModHausdorffT.hh>
+#include <OpenMesh/Tools/Decimater/ModIndependentSetsT.hh>
+#include <OpenMesh/Tools/Decimater/ModNormalDeviationT.hh>
+#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <OpenMesh/Tools/Decimater/ModRoundnessT.hh>
+#include <cstdlib>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+#include "recipe/Pass.hh"
+#include "recipe/Stopwatch.hh"
+#include "whittle/ModFaceAngleT.hh"
+#include "whittle/ModVertexDistanceT.hh"
+#include "whittle/SweepDecimaterT.hh"
+
+namespace whittle::recipe {
+namespace {
+
+namespace om = OpenMesh::Decimater;
+using Mesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
+
+/// OpenMesh writes warnings to its own streams; the programs say what matters themselves, once.
+class Silence {
+ public:
+  Silence() : errors_(::omerr().is_enabled()), log_(::omlog().is_enabled()) {
+    ::omerr().disable();
+    ::omlog().disable();
+  }
+  ~Silence() {
+    if (errors_) ::omerr().enable();
+    if (log_) ::omlog().enable();
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  bool errors_, log_;
+};
+
+/// A binary module that allows everything and remembers what became of each vertex.
+template <typename MeshT>
+class ModRecordT : public om::ModBaseT<MeshT> {
+ public:
+  DECIMATING_MODULE(ModRecordT, MeshT, Record);
+  explicit ModRecordT(MeshT& mesh) : Base(mesh, true) {}
+  void postprocess_collapse(const CollapseInfo& ci) override {
+    collapses.emplace_back(ci.v0.idx(), ci.v1.idx());
+  }
+  std::vector<std::pair<int, int>> collapses;
+};
+
+/// Adds a module and gives access to it. The decimater owns it, so the handle need not live on.
+template <typename Module, typename Decimater>
+Module& add(Decimater& decimater) {
+  typename Module::Handle handle;
+  decimater.add(handle);
+  return decimater.module(handle);
+}
+
+template <typename Decimater>
+PlannedModule* add_planned(Decimater& decimater, const Planner& planner) {
+  if (const auto* fad = std::get_if<FaceAngle>(&planner)) {
+    auto& module = add<ModFaceAngleT<Mesh>>(decimater);
+    module.set_planner(*fad);
+    return &module;
+  }
+  auto& module = add<ModVertexDistanceT<Mesh>>(decimater);
+  module.set_planner(std::get<VertexDistance>(planner));
+  return &module;
+}
+
+/// Adds a stock module, with the defaults that the catalogue names.
+template <typename Decimater>
+void add_stock(Decimater& decimater, const Spec& spec, const Scale& scale) {
+  if (spec.name == "quadric") {
+    auto& module = add<om::ModQuadricT<Mesh>>(decimater);
+    if (const auto error = spec.number("max-err")) module.set_max_err(*error, false);
+  } else if (spec.name == "normal-flipping") {
+    add<om::ModNormalFlippingT<Mesh>>(decimater).set_max_normal_deviation(spec.number("angle").value_or(90));
+  } else if (spec.name == "normal-deviation") {
+    add<om::ModNormalDeviationT<Mesh>>(decimater).set_normal_deviation(spec.number("angle").value_or(180));
+  } else if (spec.name == "aspect-ratio") {
+    add<om::ModAspectRatioT<Mesh>>(decimater).set_aspect_ratio(
+        static_cast<float>(spec.number("ratio").value_or(5)));
+  } else if (spec.name == "edge-length") {
+    add<om::ModEdgeLengthT<Mesh>>(decimater).set_edge_length(spec.length("length", scale).value_or(1e30));
+  } else if (spec.name == "hausdorff") {
+    add<om::ModHausdorffT<Mesh>>(decimater).set_tolerance(
+        spec.length("tolerance", scale).value_or(0.005 * scale.diagonal));
+  } else if (spec.name == "roundness") {
+    add<om::ModRoundnessT<Mesh>>(decimater).set_min_roundness(spec.number("min").value_or(0.1), true);
+  } else {
+    add<om::ModIndependentSetsT<Mesh>>(decimater);
+  }
+}
+
+/// An OpenMesh mesh of the faces that OpenMesh takes, and which input faces those are.
+struct Loaded {
+  Mesh mesh;
+  std::vector<std::uint32_t> face_origin;
+  std::size_t refused_faces = 0;
+};
+
+void load(const IndexedMesh& in, Loaded& out) {
+  for (const auto& p : in.points) out.mesh.add_vertex(Mesh::Point(p[0], p[1], p[2]));
+  for (std::uint32_t f = 0; f < in.triangles.size(); ++f) {
+    const auto& t = in.triangles[f];
+    const bool degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    const auto corner = [&](int i) { return Mesh::VertexHandle(static_cast<int>(t[i])); };
+    if (!degenerate && out.mesh.add_face(corner(0), corner(1), corner(2)).is_valid())
+      out.face_origin.push_back(f);
+    else
+      ++out.refused_faces;
+  }
+  out.mesh.request_vertex_status();
+  out.mesh.request_edge_status();
+  out.mesh.request_halfedge_status();
+  out.mesh.request_face_status();
+  out.mesh.request_face_normals();  // the stock normal modules complain where they are missing
+  out.mesh.update_face_normals();
+}
+
+/// The living vertices and faces in their old order.
+void unload(const Loaded& loaded, const std::vector<std::pair<int, int>>& collapses, Pass& pass) {
+  const Mesh& mesh = loaded.mesh;
+  std::vector<std::uint32_t> survivor(mesh.n_vertices());
+  std::iota(survivor.begin(), survivor.end(), 0u);
+  for (auto c = collapses.rbegin(); c != collapses.rend(); ++c) survivor[c->first] = survivor[c->second];
+
+  pass.vertex_map.resize(mesh.n_vertices());
+  for (const auto v : mesh.all_vertices()) {
+    if (mesh.status(v).deleted()) continue;
+    pass.vertex_map[v.idx()] = static_cast<std::uint32_t>(pass.mesh.points.size());
+    const auto& p = mesh.point(v);
+    pass.mesh.points.emplace_back(p[0], p[1], p[2]);
+  }
+  for (std::size_t v = 0; v < survivor.size(); ++v) pass.vertex_map[v] = pass.vertex_map[survivor[v]];
+  for (const auto f : mesh.all_faces()) {
+    if (mesh.status(f).deleted()) continue;
+    IndexedMesh::Triangle t{};
+    int i = 0;
+    for (const auto v : mesh.fv_range(f)) t[i++] = pass.vertex_map[v.idx()];
+    pass.mesh.triangles.push_back(t);
+    pass.face_origin.push_back(loaded.face_origin[f.idx()]);
+  }
+}
+
+template <typename Decimater>
+void decimate(Decimater& decimater, const Mesh&, const Floor& floor) {
+  if (floor.any())
+    decimater.decimate_to_faces(floor.vertices, floor.faces);
+  else
+    decimater.decimate();
+}
+
+/// McDecimaterT draws half-edges with rand() and gives up after some 200 misses in a row, long before a plan
+/// is done; so it is started again until a whole run finds nothing.
+void decimate(om::McDecimaterT<Mesh>& decimater, const Mesh& mesh, const Floor& floor) {
+  std::srand(1);
+  if (floor.any())
+    decimater.decimate_to_faces(floor.vertices, floor.faces);
+  else
+    while (decimater.decimate(mesh.n_vertices()) > 0) continue;
+}
+
+template <typename Decimater>
+Pass drive(const IndexedMesh& in, const Stage& stage, const Planner& planner, const Scale& scale,
+           const Floor& floor) {
+  const Silence silence;
+  Pass pass;
+  Loaded loaded;
+  load(in, loaded);
+  pass.refused_faces = loaded.refused_faces;
+
+  Decimater decimater(loaded.mesh);
+  PlannedModule* planned = nullptr;
+  if (stage.module.name == "quadric")
+    add_stock(decimater, stage.module, scale);
+  else
+    planned = add_planned(decimater, planner);
+  for (const Spec& constraint : stage.constraints) add_stock(decimater, constraint, scale);
+  const auto& record = add<ModRecordT<Mesh>>(decimater);
+
+  Stopwatch watch;
+  decimater.initialize();
+  pass.plan_seconds = watch.lap();
+  decimate(decimater, loaded.mesh, floor);
+  pass.execute_seconds = watch.lap();
+
+  unload(loaded, record.collapses, pass);
+  pass.collapses = record.collapses.size();
+  if (planned) {
+    pass.record = planned->plan().record;
+    if (!floor.reached(pass.mesh)) pass.refused = planned->plan().collapses.size() - pass.collapses;
+  }
+  return pass;
+}
+
+}  // namespace
+
+Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
+                   const Scale& scale, const Floor& floor) {
+  if (driver == Driver::sweep) return drive<SweepDecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
+  if (driver == Driver::mc) return drive<om::McDecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
+  return drive<om::DecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
+}
+
+}  // namespace whittle::recipe

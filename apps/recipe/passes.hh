@@ -1,0 +1,29 @@
+/// \file
+/// Passes of a stage until it is done, and the search for a threshold that reaches a target.
+#pragma once
+
+#include <cstddef>
+
+#include "recipe/Pass.hh"
+
+namespace whittle::recipe {
+
+/// Adds a pass to those before it: maps composed, counts and times added.
+void append(Pass& sum, Pass&& pass);
+
+/// The sum of several passes.
+struct Passes {
+  Pass sum;
+  std::size_t count = 0;
+};
+
+/// Runs up to `max_passes` passes, fewer where the floor is reached or a pass changes nothing. Of no passes
+/// the sum is the input itself.
+Passes run_passes(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
+                  const Scale& scale, const Floor& floor, std::size_t max_passes);
+
+/// The least threshold with which `max_passes` passes reach the floor; the largest sensible one if none does.
+double find_threshold(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
+                      const Scale& scale, const Floor& floor, std::size_t max_passes);
+
+}  // namespace whittle::recipe

@@ -1,0 +1,19 @@
+/// \file
+/// The commands of `whittle`. Each adds itself to the command line; main runs the one that was named.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+
+namespace whittle::cli {
+
+/// What a command does once its options are parsed.
+/// \return the exit code: 0 done; 1 could not reach what was asked, but wrote what there is. Bad usage and
+/// bad input are thrown.
+using Command = std::function<int()>;
+
+Command add_simplify(CLI::App& app);
+Command add_measure(CLI::App& app);
+Command add_info(CLI::App& app);
+
+}  // namespace whittle::cli

@@ -1,0 +1,104 @@
+#include "whittle/report.hh"
+
+#include <cstdio>
+#include <iostream>
+
+namespace whittle::cli {
+namespace {
+
+Json deviation(const measure::Deviation& d, double diagonal) {
+  const double percent = diagonal > 0 ? 100 / diagonal : 0;
+  return {{"rms_units", d.rms},
+          {"mean_units", d.mean},
+          {"max_units", d.max},
+          {"rms_percent_of_diagonal", d.rms * percent},
+          {"mean_percent_of_diagonal", d.mean * percent},
+          {"max_percent_of_diagonal", d.max * percent},
+          {"samples", d.samples}};
+}
+
+Json point(const Eigen::Vector3d& p) {
+  return {p[0], p[1], p[2]};
+}
+
+}  // namespace
+
+Json to_json(const measure::MeshFacts& f) {
+  return {{"vertices", f.vertices},
+          {"faces", f.faces},
+          {"edges", f.edges},
+          {"boundary_edges", f.boundary_edges},
+          {"boundary_loops", f.boundary_loops},
+          {"nonmanifold_edges", f.nonmanifold_edges},
+          {"nonmanifold_vertices", f.nonmanifold_vertices},
+          {"isolated_vertices", f.isolated_vertices},
+          {"degenerate_faces", f.degenerate_faces},
+          {"duplicate_faces", f.duplicate_faces},
+          {"components", f.components},
+          {"euler_characteristic", f.euler_characteristic},
+          {"closed", f.closed()},
+          {"area_square_units", f.area},
+          {"volume_cubic_units", f.volume},
+          {"mean_edge_units", f.mean_edge},
+          {"min_edge_units", f.min_edge},
+          {"max_edge_units", f.max_edge},
+          {"diagonal_units", f.diagonal},
+          {"box_min_units", point(f.box_min)},
+          {"box_max_units", point(f.box_max)}};
+}
+
+Json to_json(const measure::Distance& d) {
+  return {{"two_sided", deviation(d.two_sided, d.diagonal)},
+          {"original_to_simplified", deviation(d.forward, d.diagonal)},
+          {"simplified_to_original", deviation(d.backward, d.diagonal)},
+          {"diagonal_units", d.diagonal},
+          {"flipped_faces_against_nearest", d.flipped_faces}};
+}
+
+Json to_json(const recipe::StageResult& s) {
+  return {{"module", s.module},
+          {"driver", recipe::to_string(s.driver)},
+          {"passes", s.passes},
+          {"faces_before", s.faces_before},
+          {"faces_after", s.faces_after},
+          {"collapses", s.collapses},
+          {"clusters_planned", s.record.planned},
+          {"clusters_refused_by_flip_guard", s.record.refused_by_flip_guard},
+          {"clusters_refused_by_link_condition", s.record.refused_by_link},
+          {"clusters_fallen_back", s.record.fell_back},
+          {"collapses_refused_by_driver", s.refused_by_decimater},
+          {"plan_ms", s.plan_seconds * 1e3},
+          {"execute_ms", s.execute_seconds * 1e3}};
+}
+
+Json to_json(const files::ReadReport& r) {
+  return {{"format", r.format},
+          {"polygons_split", r.polygons},
+          {"degenerate_faces_dropped", r.dropped_degenerate},
+          {"vertices_merged", r.merged_vertices},
+          {"attributes_ignored", r.ignored}};
+}
+
+void check_json_target(const std::string& target) {
+  if (!target.empty() && target != "-") files::check_creatable(target);
+}
+
+void write_json(const std::string& target, const Json& json) {
+  const std::string text = json.dump(2) + "\n";
+  if (target == "-")
+    std::cout << text << std::flush;
+  else if (!target.empty())
+    files::write_file(target, text);
+}
+
+void print_notes(const std::string& path, const files::ReadReport& report) {
+  for (const std::string& note : report.notes()) std::cerr << "whittle: " << path << ": " << note << "\n";
+}
+
+std::string figure(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+}  // namespace whittle::cli
