@@ -68,8 +68,8 @@ Scale measure_scale(const IndexedMesh& mesh) {
 Floor make_floor(const Target& target, const IndexedMesh& mesh) {
   Floor floor;
   if (target.ratio)
-    floor.faces =
-        std::max<std::size_t>(1, std::lround(*target.ratio * static_cast<double>(mesh.triangles.size())));
+    floor.faces = std::max<std::size_t>(
+        1, static_cast<std::size_t>(*target.ratio * static_cast<double>(mesh.triangles.size())));
   if (target.faces) floor.faces = *target.faces;
   if (target.vertices) floor.vertices = *target.vertices;
   return floor;

@@ -26,7 +26,7 @@ int complain(std::string message) {
 
 int main(int argc, char** argv) {
   CLI::App app("Simplifies triangle meshes (OBJ, PLY, OFF, STL).", "whittle");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.set_version_flag("--version", "whittle " WHITTLE_VERSION);
   app.footer(
       "Exit codes: 0 done; 1 the target was not reached, the mesh is written as far as it came;\n"
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     for (const auto& [name, command] : commands)
       if (app.got_subcommand(name)) return command();
-    return kBadUsage;
+    return complain("no command given; there are simplify, measure and info");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     return complain(error.what());

@@ -103,6 +103,8 @@ Command add_simplify(CLI::App& app) {
       command->add_option("--ratio", options->ratio, "Keep this part of the faces, between 0 and 1");
   auto* faces = command->add_option("--faces", options->faces, "Down to at most so many faces");
   auto* vertices = command->add_option("--vertices", options->vertices, "Down to at most so many vertices");
+  faces->check(CLI::Range(std::size_t{1}, std::size_t{0xffffffff}));
+  vertices->check(CLI::Range(std::size_t{1}, std::size_t{0xffffffff}));
   ratio->excludes(faces)->excludes(vertices);
   faces->excludes(vertices);
   command->add_option("--driver", options->driver, "auto, bulk, sweep, decimater or mc")

@@ -1,0 +1,48 @@
+#include <nlohmann/json.hpp>
+
+#include "Process.hh"
+#include "files/MeshFile.hh"
+#include "meshes.hh"
+
+using namespace whittle;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+TEST_CASE("info counts what is in a file") {
+  const programs::Folder folder;
+  files::write_mesh(folder / "torus.ply", meshes::torus(12, 8));
+  const auto text = programs::run(WHITTLE_PROGRAM, {"info", folder / "torus.ply"});
+  CHECK(text.code == 0);
+  CHECK_THAT(text.out, Contains("Euler characteristic   0"));
+  const auto done = programs::run(WHITTLE_PROGRAM, {"info", folder / "torus.ply", "--json", "-"});
+  const Json mesh = Json::parse(done.out)["mesh"];
+  CHECK(mesh["vertices"] == 96);
+  CHECK(mesh["faces"] == 192);
+  CHECK(mesh["edges"] == 288);
+  CHECK(mesh["closed"] == true);
+  CHECK(mesh["components"] == 1);
+}
+
+TEST_CASE("info says what the reader could not take as it stood") {
+  const programs::Folder folder;
+  std::ofstream(folder / "quad.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1 4/1\n";
+  const auto done =
+      programs::run(WHITTLE_PROGRAM, {"info", folder / "quad.obj", "--json", folder / "i.json"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.err, Contains("texture coordinates"));
+  const Json read = Json::parse(programs::contents(folder / "i.json"))["read"];
+  CHECK(read["polygons_split"] == 1);
+  CHECK(read["attributes_ignored"] == Json::array({"texture coordinates"}));
+  CHECK(programs::run(WHITTLE_PROGRAM, {"info", folder / "quad.obj", "--quiet"}).err.empty());
+}
+
+TEST_CASE("info refuses what is no mesh") {
+  const programs::Folder folder;
+  std::ofstream(folder / "poem.ply") << "the fog comes\n";
+  for (const std::string name : {"none.ply", "poem.ply", ""}) {
+    const auto done = programs::run(WHITTLE_PROGRAM, {"info", folder / name});
+    CHECK(done.code == 2);
+    CHECK(done.error_lines() == 1);
+    CHECK(done.out.empty());
+  }
+}

@@ -1,0 +1,174 @@
+#include <nlohmann/json.hpp>
+
+#include "Process.hh"
+#include "files/MeshFile.hh"
+#include "measure/MeshFacts.hh"
+#include "meshes.hh"
+
+using namespace whittle;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+programs::Outcome simplify(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "simplify");
+  return programs::run(WHITTLE_PROGRAM, arguments);
+}
+
+/// A torus in a file, in a folder that holds nothing else.
+struct Input {
+  explicit Input(const std::string& name = "in.ply") : path(folder / name) { files::write_mesh(path, mesh); }
+  programs::Folder folder;
+  IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
+  std::string path;
+};
+
+}  // namespace
+
+TEST_CASE("simplify writes a smaller mesh and says what it did") {
+  const Input in;
+  const auto done = simplify({in.path, in.folder / "out.obj", "--module", "ivdd:distance=0.9e"});
+  CHECK(done.code == 0);
+  CHECK(done.err.empty());
+  CHECK_THAT(done.out, Contains("faces of 2688 left"));
+  const auto out = files::read_mesh(in.folder / "out.obj");
+  CHECK(out.mesh.triangles.size() < 2688);
+  const auto facts = measure::facts(out.mesh);
+  CHECK(facts.closed());
+  CHECK(facts.euler_characteristic == 0);
+}
+
+TEST_CASE("simplify reads and writes every format") {
+  for (const std::string from : {"a.obj", "a.ply", "a.off", "a.stl"})
+    for (const std::string to : {"b.obj", "b.ply", "b.off", "b.stl"})
+      for (const bool ascii : {false, true}) {
+        const Input in(from);
+        std::vector<std::string> arguments{in.path, in.folder / to, "--module", "fad", "--quiet"};
+        if (ascii) arguments.push_back("--ascii");
+        const auto done = simplify(arguments);
+        INFO(from << " to " << to << done.err);
+        CHECK(done.code == 0);
+        CHECK(done.out.empty());
+        CHECK(measure::facts(files::read_mesh(in.folder / to).mesh).closed());
+      }
+}
+
+TEST_CASE("simplify's JSON holds what was decided, to a file or to stdout") {
+  const Input in;
+  const std::vector<std::string> common{in.path, in.folder / "out.ply", "--module", "ivdd", "--ratio", "0.5",
+                                        "--json"};
+  auto to_file = common, to_stdout = common;
+  to_file.push_back(in.folder / "record.json");
+  to_stdout.push_back("-");
+  CHECK(simplify(to_file).code == 0);
+  const Json file = Json::parse(programs::contents(in.folder / "record.json"));
+  const Json stdout_json = Json::parse(simplify(to_stdout).out);
+  CHECK(file["output"] == stdout_json["output"]);
+
+  CHECK(file["input"]["faces"] == 2688);
+  CHECK(file["output"]["faces"] == 1344);
+  CHECK(file["target"]["ratio"] == 0.5);
+  CHECK(file["target_reached"] == true);
+  CHECK(file["flipped_faces"] == 0);
+  REQUIRE(file["stages"].size() == 1);
+  CHECK(file["stages"][0]["driver"] == "bulk");
+  CHECK(file["stages"][0]["faces_after"] == 1344);
+  CHECK_THAT(file["stages"][0]["module"].get<std::string>(), Contains("ivdd:distance="));
+  CHECK(file["stages"][0]["plan_ms"].get<double>() > 0);
+}
+
+TEST_CASE("simplify gives the same file on every run and with every driver") {
+  const Input in;
+  std::string first;
+  for (const std::string driver : {"auto", "bulk", "sweep", "decimater", "auto"}) {
+    REQUIRE(simplify({in.path, in.folder / "out.obj", "--module", "fad:angle=40", "--driver", driver}).code ==
+            0);
+    const std::string bytes = programs::contents(in.folder / "out.obj");
+    if (first.empty()) first = bytes;
+    if (driver == "auto" || driver == "bulk") CHECK(bytes == first);
+    CHECK(bytes.size() == first.size());  // OpenMesh may begin a face at another corner
+  }
+}
+
+TEST_CASE("simplify may overwrite its input") {
+  const Input in;
+  CHECK(simplify({in.path, in.path, "--module", "fad"}).code == 0);
+  CHECK(files::read_mesh(in.path).mesh.triangles.size() < 2688);
+  CHECK(in.folder.files() == 1);
+}
+
+TEST_CASE("a target out of reach is exit 1, one line, and the mesh as far as it came") {
+  const Input in;
+  const auto done =
+      simplify({in.path, in.folder / "out.ply", "--module", "ivdd:distance=0.5e", "--faces", "4", "--quiet"});
+  CHECK(done.code == 1);
+  CHECK(done.error_lines() == 1);
+  CHECK_THAT(done.err, Contains("the target was not reached"));
+  CHECK_FALSE(files::read_mesh(in.folder / "out.ply").mesh.triangles.empty());
+}
+
+TEST_CASE("faces that OpenMesh cannot take are counted and said") {
+  const Input in;
+  IndexedMesh mesh = in.mesh;
+  mesh.triangles.push_back({mesh.triangles[0][0], mesh.triangles[0][1], 700});
+  files::write_mesh(in.path, mesh);
+  const std::string out = in.folder / "out.ply";
+  const auto sweep =
+      simplify({in.path, out, "--module", "fad", "--driver", "sweep", "--json", in.folder / "r.json"});
+  CHECK(sweep.code == 0);
+  CHECK_THAT(sweep.err, Contains("1 faces are not manifold and were left out"));
+  CHECK(Json::parse(programs::contents(in.folder / "r.json"))["nonmanifold_faces_dropped"] == 1);
+  CHECK(simplify({in.path, out, "--module", "fad"}).err.empty());
+}
+
+TEST_CASE("bad usage and bad input are exit 2 with one line that names the culprit, and nothing is written") {
+  const Input in;
+  const std::string out = in.folder / "out.ply";
+  std::ofstream(in.folder / "broken.obj") << "v 0 0 0\nv 1 0 0\nf 1 2 3\n";
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& culprit) {
+    const std::size_t files_before = in.folder.files();
+    const auto done = programs::run(WHITTLE_PROGRAM, arguments);
+    INFO(culprit << " | " << done.err);
+    CHECK(done.code == 2);
+    CHECK(done.out.empty());
+    CHECK(done.error_lines() == 1);
+    CHECK_THAT(done.err, Contains(culprit));
+    CHECK(in.folder.files() == files_before);
+  };
+  refused({}, "no command given");
+  refused({"melt"}, "melt");
+  refused({"simplify"}, "IN");
+  refused({"simplify", in.path}, "OUT");
+  refused({"simplify", in.path, out}, "--module");
+  refused({"simplify", in.path, out, "--module", "fda"}, "unknown module 'fda'");
+  refused({"simplify", in.path, out, "--module", "fad:angel=3"}, "unknown key 'angel'");
+  refused({"simplify", in.path, out, "--module", "ivdd:distance=3m"}, "unknown unit 'm'");
+  refused({"simplify", in.path, out, "--module", "fad:angle=500"}, "angle=500 is out of range");
+  refused({"simplify", in.path, out, "--module", "ivdd"}, "needs distance=");
+  refused({"simplify", in.path, out, "--module", "fad", "--ratio", "2"}, "ratio");
+  refused({"simplify", in.path, out, "--module", "fad", "--ratio", "half"}, "--ratio");
+  refused({"simplify", in.path, out, "--module", "fad", "--faces", "-5"}, "--faces");
+  refused({"simplify", in.path, out, "--module", "fad", "--vertices", "0"}, "--vertices");
+  refused({"simplify", in.path, out, "--module", "fad", "--faces", "9", "--ratio", "0.5"}, "excludes");
+  refused({"simplify", in.path, out, "--module", "fad", "--driver", "fast"}, "unknown driver 'fast'");
+  refused({"simplify", in.path, out, "--module", "fad", "--color"}, "--color");
+  refused({"simplify", in.folder / "none.ply", out, "--module", "fad"}, "none.ply");
+  refused({"simplify", in.folder / "broken.obj", out, "--module", "fad"}, "broken.obj:3");
+  refused({"simplify", in.path, in.folder / "out.xyz", "--module", "fad"}, "out.xyz");
+  refused({"simplify", in.path, in.folder / "no/such/out.ply", "--module", "fad"}, "no/such");
+  refused({"simplify", in.path, out, "--module", "fad", "--json", in.folder / "no/such.json"},
+          "no/such.json");
+  refused({"simplify", in.path, "/dev/null/out.ply", "--module", "fad"}, "/dev/null");
+}
+
+TEST_CASE("help and version are exit 0 on stdout") {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"--help"}, {"--version"}, {"simplify", "--help"}, {"measure", "--help"}, {"info", "--help"}}) {
+    const auto done = programs::run(WHITTLE_PROGRAM, arguments);
+    CHECK(done.code == 0);
+    CHECK_FALSE(done.out.empty());
+    CHECK(done.err.empty());
+  }
+  CHECK_THAT(simplify({"--help"}).out, Contains("ivdd:distance=0.0011"));
+}
