@@ -14,11 +14,9 @@ namespace {
 /// Enough for any threshold to come to rest; an erosion that goes on longer is not what a user wants.
 constexpr std::size_t kPassesToTarget = 200;
 
-constexpr std::pair<Driver, const char*> kDrivers[] = {{Driver::automatic, "auto"},
-                                                       {Driver::bulk, "bulk"},
-                                                       {Driver::sweep, "sweep"},
-                                                       {Driver::decimater, "decimater"},
-                                                       {Driver::mc, "mc"}};
+constexpr std::pair<Driver, const char*> kDrivers[] = {
+    {Driver::automatic, "auto"}, {Driver::bulk, "bulk"},           {Driver::sweep, "sweep"},
+    {Driver::lazy, "lazy"},      {Driver::decimater, "decimater"}, {Driver::mc, "mc"}};
 
 std::vector<Stage> group(const std::vector<Spec>& modules) {
   std::vector<Stage> stages;
@@ -38,13 +36,13 @@ std::vector<Stage> group(const std::vector<Spec>& modules) {
 Driver choose_driver(Driver wanted, const Stage& stage) {
   const bool planned = find_module(stage.module.name).role == Role::planned;
   if (wanted == Driver::automatic)
-    return !planned ? Driver::decimater : stage.constraints.empty() ? Driver::bulk : Driver::sweep;
+    return !planned ? Driver::lazy : stage.constraints.empty() ? Driver::bulk : Driver::sweep;
   if (!planned && (wanted == Driver::bulk || wanted == Driver::sweep))
     throw RecipeError("driver '" + to_string(wanted) + "' cannot run module '" + stage.module.name +
-                      "', which has no plan; use decimater or mc");
+                      "', which has no plan; use lazy, decimater or mc");
   if (wanted == Driver::bulk && !stage.constraints.empty())
     throw RecipeError("driver 'bulk' cannot run module '" + stage.constraints.front().name +
-                      "', which needs an OpenMesh mesh; use sweep, decimater or mc");
+                      "', which needs an OpenMesh mesh; use sweep, lazy, decimater or mc");
   return wanted;
 }
 

@@ -17,8 +17,8 @@
 namespace whittle::recipe {
 
 /// Who executes the plans. `automatic`: bulk for planned modules alone, sweep for planned modules with
-/// constraints, OpenMesh's DecimaterT for stock priority modules.
-enum class Driver { automatic, bulk, sweep, decimater, mc };
+/// constraints, lazy for stock priority modules. `decimater` and `mc` are OpenMesh's own.
+enum class Driver { automatic, bulk, sweep, lazy, decimater, mc };
 
 /// The driver of that name. \throw RecipeError
 Driver parse_driver(const std::string& name);

@@ -17,6 +17,7 @@
 
 #include "recipe/Pass.hh"
 #include "recipe/Stopwatch.hh"
+#include "whittle/LazyDecimaterT.hh"
 #include "whittle/ModFaceAngleT.hh"
 #include "whittle/ModVertexDistanceT.hh"
 #include "whittle/SweepDecimaterT.hh"
@@ -209,6 +210,7 @@ Pass drive(const IndexedMesh& in, const Stage& stage, const Planner& planner, co
 Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
                    const Scale& scale, const Floor& floor) {
   if (driver == Driver::sweep) return drive<SweepDecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
+  if (driver == Driver::lazy) return drive<LazyDecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
   if (driver == Driver::mc) return drive<om::McDecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
   return drive<om::DecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
 }

@@ -107,7 +107,7 @@ Command add_simplify(CLI::App& app) {
   vertices->check(CLI::Range(std::size_t{1}, std::size_t{0xffffffff}));
   ratio->excludes(faces)->excludes(vertices);
   faces->excludes(vertices);
-  command->add_option("--driver", options->driver, "auto, bulk, sweep, decimater or mc")
+  command->add_option("--driver", options->driver, "auto, bulk, sweep, lazy, decimater or mc")
       ->capture_default_str();
   command->add_option("--json", options->json, "Write what was done as JSON to a file, or to stdout for -");
   command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");

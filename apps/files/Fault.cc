@@ -1,0 +1,15 @@
+#include "files/Fault.hh"
+
+#include <cctype>
+
+namespace whittle::files {
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string result = "'";
+  for (const char c : text.substr(0, longest))
+    result += std::isprint(static_cast<unsigned char>(c)) != 0 ? c : '?';
+  return result + (text.size() > longest ? "...'" : "'");
+}
+
+}  // namespace whittle::files

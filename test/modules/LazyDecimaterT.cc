@@ -1,0 +1,90 @@
+#include "whittle/LazyDecimaterT.hh"
+
+#include "OpenMeshFixture.hh"
+#include "measure/Distance.hh"
+#include "measure/MeshFacts.hh"
+#include "whittle/ModFaceAngleT.hh"
+#include "whittle/ModVertexDistanceT.hh"
+
+using namespace whittle;
+using fixture::Mesh;
+
+namespace {
+
+/// Half of the faces by ModQuadricT, with or without ModNormalFlippingT.
+template <typename Decimater>
+IndexedMesh halved(const IndexedMesh& in, bool guarded) {
+  Mesh mesh = fixture::to_openmesh<Mesh>(in);
+  mesh.request_face_status();
+  mesh.request_face_normals();
+  mesh.update_face_normals();
+  Decimater decimater(mesh);
+  OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
+  OpenMesh::Decimater::ModNormalFlippingT<Mesh>::Handle flipping;
+  decimater.add(quadric);
+  if (guarded) decimater.add(flipping);
+  REQUIRE(decimater.initialize());
+  decimater.decimate_to_faces(0, in.triangles.size() / 2);
+  IndexedMesh out;
+  const auto left = to_indexed(mesh);
+  for (const auto& p : left.points) out.points.push_back(p.cast<double>());
+  out.triangles = left.triangles;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the lazy decimater with ModQuadricT is as true as DecimaterT") {
+  for (const bool guarded : {false, true}) {
+    const IndexedMesh mesh = meshes::shaken(meshes::torus(96, 48), 0.002, 4);
+    const IndexedMesh stock = halved<OpenMesh::Decimater::DecimaterT<Mesh>>(mesh, guarded);
+    const IndexedMesh lazy = halved<LazyDecimaterT<Mesh>>(mesh, guarded);
+    CHECK(lazy.triangles.size() == stock.triangles.size());
+    CHECK(measure::facts(lazy).nonmanifold_edges == 0);
+    CHECK(measure::facts(lazy).euler_characteristic == 0);
+    CHECK(measure::distance(mesh, lazy).two_sided.mean <
+          1.03 * measure::distance(mesh, stock).two_sided.mean);
+  }
+}
+
+TEST_CASE("the lazy decimater repeats bit for bit, also where priorities are equal") {
+  const IndexedMesh grid = meshes::flat_grid(20);
+  const IndexedMesh a = halved<LazyDecimaterT<Mesh>>(grid, false),
+                    b = halved<LazyDecimaterT<Mesh>>(grid, false);
+  CHECK(a.triangles == b.triangles);
+}
+
+TEST_CASE("the lazy decimater executes a plan as the sweep does") {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const Mesh mesh = fixture::to_openmesh<Mesh>(meshes::shaken(meshes::torus(24, 14), 0.03, seed));
+    const auto fad = [](auto& module) { module.set_max_normal_angle(60); };
+    const auto ivdd = [](auto& module) { module.set_max_distance(0.2); };
+    using fixture::run;
+    CHECK(run<LazyDecimaterT, ModFaceAngleT>(mesh, fad).triangles ==
+          run<OpenMesh::Decimater::DecimaterT, ModFaceAngleT>(mesh, fad).triangles);
+    CHECK(run<LazyDecimaterT, ModVertexDistanceT>(mesh, ivdd).points ==
+          run<OpenMesh::Decimater::DecimaterT, ModVertexDistanceT>(mesh, ivdd).points);
+  }
+}
+
+TEST_CASE("the lazy decimater honours targets, selection and observers") {
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::torus(24, 14));
+  LazyDecimaterT<Mesh> decimater(mesh);
+  OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
+  CHECK_FALSE(decimater.initialize());
+  CHECK(decimater.decimate() == 0);
+  decimater.add(quadric);
+  REQUIRE(decimater.initialize());
+  CHECK(decimater.decimate(0, true) == 0);
+  CHECK(decimater.decimate(7) == 7);
+  CHECK(decimater.decimate_to(325) == 4);
+  CHECK(decimater.decimate_to_faces(0, 640) == 5);
+  struct Stop : OpenMesh::Decimater::Observer {
+    Stop() : Observer(1) {}
+    void notify(size_t n) override { seen = n; }
+    bool abort() const override { return seen >= 3; }
+    std::size_t seen = 0;
+  } stop;
+  decimater.set_observer(&stop);
+  CHECK(decimater.decimate() == 3);
+}
