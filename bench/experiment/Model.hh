@@ -1,0 +1,36 @@
+/// \file
+/// The model that the experiment runs on, and what it really is.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "whittle/IndexedMesh.hh"
+
+namespace whittle::bench {
+
+/// Where a model came from: the bunny in the cache of assets, a file the user named, or made up here.
+enum class ModelKind { bunny, file, generated };
+
+std::string to_string(ModelKind kind);
+
+struct Model {
+  IndexedMesh mesh;
+  ModelKind kind = ModelKind::generated;
+  std::string label;               ///< stands under every picture and table
+  std::string file;                ///< the file's name without its folder; empty for a generated mesh
+  double mean_edge = 0;            ///< in model units
+  std::vector<std::string> notes;  ///< what a reader of the results has to know; belongs in every output
+};
+
+/// Loads `file`, or without one `bunny.*` from the cache, or without that generates a mesh and notes it. A
+/// model whose mean edge is far from the bunny's is noted too, since the paper's thresholds then mean
+/// something else. \param label  in place of the one that says where the model came from; a generated mesh
+/// says so all the same. \throw files::FileError, std::invalid_argument  the file cannot be read or holds no
+/// triangles.
+Model load_model(const std::optional<std::filesystem::path>& file, const std::filesystem::path& cache,
+                 const std::string& label = "");
+
+}  // namespace whittle::bench

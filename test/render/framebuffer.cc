@@ -1,0 +1,52 @@
+#include "render/Framebuffer.hh"
+
+#include <set>
+
+#include "catch.hh"
+#include "egl/EglContext.hh"
+#include "render/Renderer.hh"
+#include "triangles.hh"
+
+using namespace whittle;
+
+namespace {
+
+std::size_t colours(int samples) {
+  const render::Renderer renderer;
+  const render::Framebuffer framebuffer(16, 16, samples);
+  renderer.draw(render::MeshBuffers(corner_triangle()), {});
+  const auto image = framebuffer.read();
+  std::set<std::array<std::uint8_t, 4>> found;
+  for (int i = 0; i < 256; ++i) found.insert(image.at(i % 16, i / 16));
+  return found.size();
+}
+
+}  // namespace
+
+TEST_CASE("several samples a pixel blend the edges") {
+  const egl::EglContext context;
+  CHECK(colours(4) > colours(1));
+}
+
+TEST_CASE("rows come from the top and are as wide as asked") {
+  const egl::EglContext context;
+  const render::Framebuffer framebuffer(5, 3);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(4, 2, 1, 1);  // upper right, in OpenGL's rows from below
+  glClearColor(1, 1, 1, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  const auto image = framebuffer.read();
+  CHECK(image.width == 5);
+  CHECK(image.height == 3);
+  REQUIRE(image.rgba.size() == 60);
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 5; ++x) CHECK(image.at(x, y)[0] == (x == 4 && y == 0 ? 255 : 0));
+}
+
+TEST_CASE("an impossible size is an error") {
+  const egl::EglContext context;
+  CHECK_THROWS_AS(render::Framebuffer(0, 16), render::RenderError);
+  CHECK_THROWS_AS(render::Framebuffer(16, 1 << 20), render::RenderError);
+}
