@@ -24,23 +24,44 @@ std::vector<ModuleInfo> make_catalogue() {
   const Key passes = integer("passes", 1, 1000,
                              "repeat so often or until nothing changes; 1, or as often as a target needs");
   const Key guard = number("guard", -1, 0.999, "least cosine of a face's turn; 0.2, -1 is off");
+  const Key boundary = choice("boundary", {"keep", "merge"}, "merge: along the boundary; keep");
+  const Key angle = number("angle", 0, 180, "largest angle between face normals, degrees; 30");
+  const Key included = number("included", 0, 180, "the same as an included angle, degrees; 150");
+  const Key pairs = choice("pairs", {"adjacent", "all"}, "which faces are compared; adjacent");
+  const Key count = integer("count", 1, 1e6, "how many of the angles must qualify; all");
+  const Key area = number("area", 0, HUGE_VAL, "largest area of the vertex's faces, square units; none");
+  const Key lock = choice("lock", {"ring", "strict"}, "what a removal keeps in place; ring");
+  const Key apex = choice("apex", {"delaunay", "lexicographic"}, "where the new fan starts; delaunay");
+  const Key radius = length("radius", "neighbours nearer than this merge; required without a target");
+  const Key scan_placement =
+      choice("placement", {"paper", "quadric"}, "midpoint, centre, centroid, or quadric; paper");
+  const Key triangle_placement =
+      choice("placement", {"enclosing", "circumcenter"}, "where a triangle's point lies; enclosing");
   return {
+      {"vt", Role::planned, "triangles become points", {triangle_placement, guard, passes}},
       {"fad",
        Role::planned,
        "removes vertices whose faces lie nearly in a plane",
-       {number("angle", 0, 180, "largest angle between face normals, degrees; 30"),
-        number("included", 0, 180, "the same as an included angle, degrees; 150"),
-        choice("pairs", {"adjacent", "all"}, "which faces are compared; adjacent"),
-        integer("count", 1, 1e6, "how many of the angles must qualify; all"),
-        number("area", 0, HUGE_VAL, "largest area of the vertex's faces, square units; none"),
-        choice("lock", {"ring", "strict"}, "what a removal keeps in place; ring"),
-        choice("apex", {"delaunay", "lexicographic"}, "where the new fan starts; delaunay"), guard, passes}},
+       {angle, included, pairs, count, area, lock, apex, boundary, guard, passes}},
       {"ivdd",
        Role::planned,
        "folds short edges and small triangles to a point",
-       {length("distance", "edges shorter than this fold; required without a target"),
-        choice("placement", {"enclosing", "circumcenter"}, "where a triangle folds to; enclosing"), guard,
+       {length("distance", "edges shorter than this fold; required without a target"), triangle_placement,
+        boundary, guard, passes}},
+      {"ss",
+       Role::planned,
+       "merges what a moving sphere covers",
+       {radius, scan_placement, boundary, guard, passes}},
+      {"vtd",
+       Role::planned,
+       "small triangles become points, else an edge folds",
+       {length("distance", "edges shorter than this count; required without a target"),
+        choice("fold", {"shortest", "literal"}, "which edge; shortest"), triangle_placement, boundary, guard,
         passes}},
+      {"fass",
+       Role::planned,
+       "fad, then ss on what is left",
+       {radius, scan_placement, angle, included, pairs, count, area, lock, apex, boundary, guard, passes}},
       {"quadric",
        Role::priority,
        "OpenMesh's ModQuadricT: least quadric error first",

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "recipe/Stopwatch.hh"
+#include "whittle/Stages.hh"
 #include "whittle/execute.hh"
 
 namespace whittle::recipe {
@@ -12,8 +13,7 @@ namespace {
 std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh, const Floor& floor) {
   std::size_t faces = mesh.triangles.size(), vertices = mesh.points.size(), n = 0;
   for (const Collapse& collapse : plan.collapses) {
-    if ((floor.faces > 0 && faces <= floor.faces) || (floor.vertices > 0 && vertices <= floor.vertices))
-      break;
+    if (floor.reached(faces, vertices)) break;
     faces -= collapse.faces;
     --vertices;
     ++n;
@@ -23,19 +23,30 @@ std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh
 
 }  // namespace
 
-Pass bulk_pass(const IndexedMesh& mesh, const Planner& planner, const Floor& floor) {
+Plan make_plan(const IndexedMesh& mesh, const Planner& planner, const Floor& floor, std::size_t max_passes) {
+  Plan plan;
+  Stopwatch watch;
+  const SurfaceT<double> surface(mesh);
+  StagesT<double> stages(surface);
+  while (plan.passes < max_passes) {
+    const std::size_t added = std::visit([&](const auto& p) { return stages.add(p); }, planner);
+    ++plan.passes;
+    if (added == 0 || floor.reached(stages.n_faces(), stages.n_vertices())) break;
+  }
+  plan.collapses = stages.take();
+  plan.seconds = watch.lap();
+  return plan;
+}
+
+Pass bulk_pass(const IndexedMesh& mesh, const CollapsePlan& plan, const Floor& floor) {
   Pass pass;
   Stopwatch watch;
-  const CollapsePlan plan =
-      std::visit([&](const auto& p) { return p.plan(SurfaceT<double>(mesh)); }, planner);
-  pass.plan_seconds = watch.lap();
   pass.collapses = collapses_to_floor(plan, mesh, floor);
   auto executed = execute(plan, mesh, pass.collapses);
   pass.execute_seconds = watch.lap();
   pass.mesh = std::move(executed.mesh);
   pass.vertex_map = std::move(executed.vertex_map);
   pass.face_origin = std::move(executed.face_origin);
-  pass.record = plan.record;
   return pass;
 }
 

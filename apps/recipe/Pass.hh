@@ -1,5 +1,5 @@
 /// \file
-/// One pass of one stage: a plan made and carried out, by whichever driver.
+/// A plan for a mesh, and the plan carried out by whichever driver.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,10 @@ namespace whittle::recipe {
 struct Floor {
   std::size_t faces = 0, vertices = 0;
   bool any() const { return faces > 0 || vertices > 0; }
-  bool reached(const IndexedMesh& mesh) const {
-    return (faces > 0 && mesh.triangles.size() <= faces) || (vertices > 0 && mesh.points.size() <= vertices);
+  bool reached(std::size_t n_faces, std::size_t n_vertices) const {
+    return (faces > 0 && n_faces <= faces) || (vertices > 0 && n_vertices <= vertices);
   }
+  bool reached(const IndexedMesh& mesh) const { return reached(mesh.triangles.size(), mesh.points.size()); }
 };
 
 /// A priority module with the constraints that joined it.
@@ -28,6 +29,17 @@ struct Stage {
   std::vector<Spec> constraints;
 };
 
+/// A plan of one or more passes.
+struct Plan {
+  CollapsePlan collapses;
+  std::size_t passes = 0;
+  double seconds = 0;
+};
+
+/// Plans up to `max_passes` passes, fewer where the floor is reached or a pass changes nothing.
+Plan make_plan(const IndexedMesh& mesh, const Planner& planner, const Floor& floor, std::size_t max_passes);
+
+/// What became of a mesh.
 struct Pass {
   IndexedMesh mesh;
   std::vector<std::uint32_t> vertex_map;   ///< input vertex to output vertex
@@ -39,11 +51,12 @@ struct Pass {
   double plan_seconds = 0, execute_seconds = 0;
 };
 
-/// Plans and executes on the flat arrays.
-Pass bulk_pass(const IndexedMesh& mesh, const Planner& planner, const Floor& floor);
+/// Executes a plan on the flat arrays.
+Pass bulk_pass(const IndexedMesh& mesh, const CollapsePlan& plan, const Floor& floor);
 
-/// Runs a stage through an OpenMesh decimater. `planner` is used if the stage's module is a planned one.
-Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
+/// Executes a plan through an OpenMesh decimater, under the stage's constraints; without a plan, the stage's
+/// stock module.
+Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const CollapsePlan* plan,
                    const Scale& scale, const Floor& floor);
 
 }  // namespace whittle::recipe

@@ -104,20 +104,22 @@ void run_stage(Stage stage, const Recipe& recipe, const Scale& scale, const Floo
   StageResult report;
   report.driver = choose_driver(recipe.driver, stage);
   report.faces_before = sum.sum.mesh.triangles.size();
-  Planner planner;
+  std::optional<Planner> planner;
   std::size_t max_passes = 1;
   if (find_module(stage.module.name).role == Role::planned) {
     planner = make_planner(stage.module, scale);
     max_passes = static_cast<std::size_t>(
         stage.module.number("passes").value_or(floor.any() ? double(kPassesToTarget) : 1.0));
-    if (!has_threshold(stage.module) && floor.any()) {
+    const std::string key = threshold_key(stage.module);
+    if (floor.any() && !key.empty() && !has_threshold(stage.module)) {
       const double threshold =
-          find_threshold(sum.sum.mesh, report.driver, stage, planner, scale, floor, max_passes);
-      planner = with_threshold(planner, threshold);
-      stage.module.parameters.emplace_back(threshold_key(planner), shortest(threshold));
+          find_threshold(sum.sum.mesh, report.driver, stage, *planner, scale, floor, max_passes);
+      planner = with_threshold(*planner, threshold);
+      stage.module.parameters.emplace_back(key, shortest(threshold));
     }
   }
-  Passes passes = run_passes(sum.sum.mesh, report.driver, stage, planner, scale, floor, max_passes);
+  Passes passes =
+      run_passes(sum.sum.mesh, report.driver, stage, planner ? &*planner : nullptr, scale, floor, max_passes);
   report.module = stage_text(stage);
   report.passes = passes.count;
   report.faces_after = passes.sum.mesh.triangles.size();
@@ -152,8 +154,8 @@ void check(const Recipe& recipe) {
     choose_driver(recipe.driver, stage);
     if (find_module(stage.module.name).role == Role::planned) make_planner(stage.module, {1, 1});
     if (!has_threshold(stage.module) && !has_default_threshold(stage.module) && !recipe.target.any())
-      throw RecipeError("module '" + stage.module.name + "' needs " +
-                        (stage.module.name == "quadric" ? "max-err" : "distance") + "=... or a target");
+      throw RecipeError("module '" + stage.module.name + "' needs " + threshold_key(stage.module) +
+                        "=... or a target");
   }
   if (recipe.target.ratio && !(*recipe.target.ratio > 0 && *recipe.target.ratio < 1))
     throw RecipeError("the ratio must lie between 0 and 1, both ends excluded");
@@ -164,7 +166,7 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe) {
   const Scale scale = measure_scale(mesh);
   const Floor floor = make_floor(recipe.target, mesh);
   Result result;
-  Passes sum = run_passes(mesh, Driver::bulk, {}, {}, scale, {}, 0);
+  Passes sum = no_passes(mesh);
   for (const Stage& stage : group(recipe.modules)) run_stage(stage, recipe, scale, floor, sum, result);
   result.flipped_faces = count_flips(mesh, sum.sum.mesh, sum.sum.face_origin);
   result.refused_faces = sum.sum.refused_faces;

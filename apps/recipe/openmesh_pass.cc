@@ -18,8 +18,7 @@
 #include "recipe/Pass.hh"
 #include "recipe/Stopwatch.hh"
 #include "whittle/LazyDecimaterT.hh"
-#include "whittle/ModFaceAngleT.hh"
-#include "whittle/ModVertexDistanceT.hh"
+#include "whittle/ModPlannedT.hh"
 #include "whittle/SweepDecimaterT.hh"
 
 namespace whittle::recipe {
@@ -66,17 +65,24 @@ Module& add(Decimater& decimater) {
   return decimater.module(handle);
 }
 
-template <typename Decimater>
-PlannedModule* add_planned(Decimater& decimater, const Planner& planner) {
-  if (const auto* fad = std::get_if<FaceAngle>(&planner)) {
-    auto& module = add<ModFaceAngleT<Mesh>>(decimater);
-    module.set_planner(*fad);
-    return &module;
+/// A planner that has its plan already.
+struct GivenPlan {
+  const CollapsePlan* given = nullptr;
+
+  void validate() const {}
+  GivenPlan scaled(double) const { return *this; }
+  template <typename Real>
+  CollapsePlan plan(const SurfaceT<Real>&) const {
+    return *given;
   }
-  auto& module = add<ModVertexDistanceT<Mesh>>(decimater);
-  module.set_planner(std::get<VertexDistance>(planner));
-  return &module;
-}
+};
+
+template <typename MeshT>
+class ModGivenPlanT : public ModPlannedT<MeshT, GivenPlan> {
+ public:
+  DECIMATING_MODULE(ModGivenPlanT, MeshT, GivenPlan);
+  explicit ModGivenPlanT(MeshT& mesh) : ModPlannedT<MeshT, GivenPlan>(mesh) {}
+};
 
 /// Adds a stock module, with the defaults that the catalogue names.
 template <typename Decimater>
@@ -173,7 +179,7 @@ void decimate(om::McDecimaterT<Mesh>& decimater, const Mesh& mesh, const Floor& 
 }
 
 template <typename Decimater>
-Pass drive(const IndexedMesh& in, const Stage& stage, const Planner& planner, const Scale& scale,
+Pass drive(const IndexedMesh& in, const Stage& stage, const CollapsePlan* plan, const Scale& scale,
            const Floor& floor) {
   const Silence silence;
   Pass pass;
@@ -182,37 +188,32 @@ Pass drive(const IndexedMesh& in, const Stage& stage, const Planner& planner, co
   pass.refused_faces = loaded.refused_faces;
 
   Decimater decimater(loaded.mesh);
-  PlannedModule* planned = nullptr;
-  if (stage.module.name == "quadric")
-    add_stock(decimater, stage.module, scale);
+  if (plan)
+    add<ModGivenPlanT<Mesh>>(decimater).set_planner({plan});
   else
-    planned = add_planned(decimater, planner);
+    add_stock(decimater, stage.module, scale);
   for (const Spec& constraint : stage.constraints) add_stock(decimater, constraint, scale);
   const auto& record = add<ModRecordT<Mesh>>(decimater);
 
   Stopwatch watch;
   decimater.initialize();
-  pass.plan_seconds = watch.lap();
   decimate(decimater, loaded.mesh, floor);
   pass.execute_seconds = watch.lap();
 
   unload(loaded, record.collapses, pass);
   pass.collapses = record.collapses.size();
-  if (planned) {
-    pass.record = planned->plan().record;
-    if (!floor.reached(pass.mesh)) pass.refused = planned->plan().collapses.size() - pass.collapses;
-  }
+  if (plan && !floor.reached(pass.mesh)) pass.refused = plan->collapses.size() - pass.collapses;
   return pass;
 }
 
 }  // namespace
 
-Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
+Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const CollapsePlan* plan,
                    const Scale& scale, const Floor& floor) {
-  if (driver == Driver::sweep) return drive<SweepDecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
-  if (driver == Driver::lazy) return drive<LazyDecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
-  if (driver == Driver::mc) return drive<om::McDecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
-  return drive<om::DecimaterT<Mesh>>(mesh, stage, planner, scale, floor);
+  if (driver == Driver::sweep) return drive<SweepDecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
+  if (driver == Driver::lazy) return drive<LazyDecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
+  if (driver == Driver::mc) return drive<om::McDecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
+  return drive<om::DecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
 }
 
 }  // namespace whittle::recipe

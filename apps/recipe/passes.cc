@@ -30,21 +30,33 @@ void append(Pass& sum, Pass&& pass) {
   add(sum.record, pass.record);
 }
 
-Passes run_passes(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
-                  const Scale& scale, const Floor& floor, std::size_t max_passes) {
+Passes no_passes(const IndexedMesh& mesh) {
   Passes out;
   out.sum.mesh = mesh;
   out.sum.vertex_map.resize(mesh.points.size());
   std::iota(out.sum.vertex_map.begin(), out.sum.vertex_map.end(), 0u);
   out.sum.face_origin.resize(mesh.triangles.size());
   std::iota(out.sum.face_origin.begin(), out.sum.face_origin.end(), 0u);
+  return out;
+}
+
+Passes run_passes(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner* planner,
+                  const Scale& scale, const Floor& floor, std::size_t max_passes) {
+  Passes out = no_passes(mesh);
+  const bool at_once = stage.constraints.empty();
   while (out.count < max_passes && !floor.reached(out.sum.mesh)) {
-    Pass pass = driver == Driver::bulk ? bulk_pass(out.sum.mesh, planner, floor)
-                                       : openmesh_pass(out.sum.mesh, driver, stage, planner, scale, floor);
+    const IndexedMesh& now = out.sum.mesh;
+    Plan plan;
+    if (planner) plan = make_plan(now, *planner, floor, at_once ? max_passes : 1);
+    Pass pass = driver == Driver::bulk
+                    ? bulk_pass(now, plan.collapses, floor)
+                    : openmesh_pass(now, driver, stage, planner ? &plan.collapses : nullptr, scale, floor);
+    pass.plan_seconds = plan.seconds;
+    pass.record = plan.collapses.record;
     const std::size_t collapses = pass.collapses;
     append(out.sum, std::move(pass));
-    ++out.count;
-    if (collapses == 0) break;
+    out.count += planner ? plan.passes : 1;
+    if (at_once || !planner || collapses == 0) break;
   }
   return out;
 }
@@ -54,9 +66,8 @@ double find_threshold(const IndexedMesh& mesh, Driver driver, const Stage& stage
   // All drivers execute the same plan, so the fastest one may search, unless constraints change what it does.
   const Driver searcher = stage.constraints.empty() ? Driver::bulk : driver;
   const auto reaches = [&](double threshold) {
-    return floor.reached(
-        run_passes(mesh, searcher, stage, with_threshold(planner, threshold), scale, floor, max_passes)
-            .sum.mesh);
+    const Planner attempt = with_threshold(planner, threshold);
+    return floor.reached(run_passes(mesh, searcher, stage, &attempt, scale, floor, max_passes).sum.mesh);
   };
   const auto [first, last] = threshold_range(planner, scale);
   double high = first;
@@ -65,7 +76,7 @@ double find_threshold(const IndexedMesh& mesh, Driver driver, const Stage& stage
     high = std::min(2 * high, last);
   }
   double low = high == first ? 0 : high / 2;
-  while (high - low > 0.002 * high) {
+  while (high - low > 0.002 * high && high > first / 100) {  // below that, the passes get there by themselves
     const double middle = (low + high) / 2;
     (reaches(middle) ? high : low) = middle;
   }

@@ -17,10 +17,14 @@ struct Passes {
   std::size_t count = 0;
 };
 
-/// Runs up to `max_passes` passes, fewer where the floor is reached or a pass changes nothing. Of no passes
-/// the sum is the input itself.
-Passes run_passes(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
+/// Plans and executes up to `max_passes` passes, fewer where the floor is reached or a pass changes nothing.
+/// Without constraints all passes are one plan, so that the flip guard judges them together; with constraints
+/// each pass is planned on what the last one was allowed to do. \param planner  null for a stock module.
+Passes run_passes(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner* planner,
                   const Scale& scale, const Floor& floor, std::size_t max_passes);
+
+/// No passes: the mesh itself.
+Passes no_passes(const IndexedMesh& mesh);
 
 /// The least threshold with which `max_passes` passes reach the floor; the largest sensible one if none does.
 double find_threshold(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,

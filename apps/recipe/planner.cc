@@ -6,13 +6,14 @@ namespace {
 FaceAngle make_face_angle(const Spec& spec) {
   FaceAngle planner;
   if (spec.has("angle") && spec.has("included"))
-    throw RecipeError("module 'fad': angle and included are the same threshold; give one");
+    throw RecipeError("module '" + spec.name + "': angle and included are the same threshold; give one");
   if (const auto angle = spec.number("angle")) planner.max_normal_angle = *angle;
   if (const auto included = spec.number("included")) planner.max_normal_angle = 180 - *included;
   if (spec.word("pairs") == "all") planner.pairs = FaceAngle::Pairs::all;
   if (const auto count = spec.number("count")) planner.count = static_cast<int>(*count);
   if (const auto area = spec.number("area")) {
-    if (*area == 0) throw RecipeError("module 'fad': area=0 is out of range; it must be positive");
+    if (*area == 0)
+      throw RecipeError("module '" + spec.name + "': area=0 is out of range; it must be positive");
     planner.max_area = *area;
   }
   if (spec.word("lock") == "strict") planner.lock = FaceAngle::Lock::strict;
@@ -20,42 +21,85 @@ FaceAngle make_face_angle(const Spec& spec) {
   return planner;
 }
 
-VertexDistance make_vertex_distance(const Spec& spec, const Scale& scale) {
-  VertexDistance planner;
-  if (const auto distance = spec.length("distance", scale)) planner.max_distance = *distance;
-  if (spec.word("placement") == "circumcenter") planner.placement = VertexDistance::Placement::circumcenter;
+SphereScan make_sphere_scan(const Spec& spec, const Scale& scale) {
+  SphereScan planner;
+  if (const auto radius = spec.length("radius", scale)) planner.radius = *radius;
+  if (spec.word("placement") == "quadric") planner.placement = SphereScan::Placement::quadric;
   return planner;
+}
+
+/// VT, IVDD and VTD, which share the two places of a triangle's point.
+template <typename P>
+P make_triangle_planner(const Spec& spec) {
+  P planner;
+  if (spec.word("placement") == "circumcenter") planner.placement = P::Placement::circumcenter;
+  return planner;
+}
+
+Planner make(const Spec& spec, const Scale& scale) {
+  if (spec.name == "fad") return make_face_angle(spec);
+  if (spec.name == "ss") return make_sphere_scan(spec, scale);
+  if (spec.name == "fass") return Fass{{make_face_angle(spec), make_sphere_scan(spec, scale)}};
+  if (spec.name == "vt") return make_triangle_planner<Circumcenter>(spec);
+  const double distance = spec.length("distance", scale).value_or(0);
+  if (spec.name == "vtd") {
+    auto planner = make_triangle_planner<VertexTripletDistance>(spec);
+    planner.max_distance = distance;
+    if (spec.word("fold") == "literal") planner.fold = VertexTripletDistance::Fold::literal;
+    return planner;
+  }
+  auto planner = make_triangle_planner<VertexDistance>(spec);
+  planner.max_distance = distance;
+  return planner;
+}
+
+/// Calls `visit` for a planner, or for each planner of a chain.
+template <typename P, typename Visit>
+void for_each_planner(P& planner, Visit visit) {
+  if constexpr (std::is_same_v<P, Fass>)
+    std::apply([&](auto&... part) { (visit(part), ...); }, planner.planners);
+  else
+    visit(planner);
 }
 
 }  // namespace
 
 Planner make_planner(const Spec& spec, const Scale& scale) {
-  Planner planner =
-      spec.name == "fad" ? Planner(make_face_angle(spec)) : Planner(make_vertex_distance(spec, scale));
-  if (const auto guard = spec.number("guard"))
-    std::visit([&](auto& p) { p.guard.min_cos = *guard; }, planner);
+  Planner planner = make(spec, scale);
+  const auto guard = spec.number("guard");
+  const bool merge = spec.word("boundary") == "merge";
+  const auto set = [&](auto& p) {
+    if (guard) p.guard.min_cos = *guard;
+    if constexpr (!std::is_same_v<std::decay_t<decltype(p)>, Circumcenter>)
+      if (merge) p.boundary = Boundary::merge;
+  };
+  std::visit([&](auto& p) { for_each_planner(p, set); }, planner);
   return planner;
 }
 
+std::string threshold_key(const Spec& spec) {
+  if (spec.name == "vt") return "";
+  if (spec.name == "fad") return "angle";
+  if (spec.name == "ss" || spec.name == "fass") return "radius";
+  return spec.name == "quadric" ? "max-err" : "distance";
+}
+
 bool has_threshold(const Spec& spec) {
-  for (const char* key : {"angle", "included", "distance", "max-err"})
-    if (spec.has(key)) return true;
-  return false;
+  return spec.has(threshold_key(spec)) || (spec.name == "fad" && spec.has("included"));
 }
 
 bool has_default_threshold(const Spec& spec) {
-  return spec.name == "fad";
+  return spec.name == "fad" || spec.name == "vt";
 }
 
 Planner with_threshold(const Planner& planner, double threshold) {
   Planner changed = planner;
   if (auto* fad = std::get_if<FaceAngle>(&changed)) fad->max_normal_angle = threshold;
   if (auto* ivdd = std::get_if<VertexDistance>(&changed)) ivdd->max_distance = threshold;
+  if (auto* ss = std::get_if<SphereScan>(&changed)) ss->radius = threshold;
+  if (auto* vtd = std::get_if<VertexTripletDistance>(&changed)) vtd->max_distance = threshold;
+  if (auto* fass = std::get_if<Fass>(&changed)) std::get<SphereScan>(fass->planners).radius = threshold;
   return changed;
-}
-
-std::string threshold_key(const Planner& planner) {
-  return std::holds_alternative<FaceAngle>(planner) ? "angle" : "distance";
 }
 
 ThresholdRange threshold_range(const Planner& planner, const Scale& scale) {

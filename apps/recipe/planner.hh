@@ -7,28 +7,35 @@
 #include <variant>
 
 #include "recipe/Spec.hh"
+#include "whittle/Chain.hh"
+#include "whittle/Circumcenter.hh"
 #include "whittle/FaceAngle.hh"
+#include "whittle/SphereScan.hh"
 #include "whittle/VertexDistance.hh"
+#include "whittle/VertexTripletDistance.hh"
 
 namespace whittle::recipe {
 
-using Planner = std::variant<FaceAngle, VertexDistance>;
+using Fass = Chain<FaceAngle, SphereScan>;
+using Planner =
+    std::variant<FaceAngle, VertexDistance, Circumcenter, SphereScan, VertexTripletDistance, Fass>;
 
 /// The planner of a spec; its threshold is the default where the spec gives none.
 /// \throw RecipeError  two keys that contradict each other.
 Planner make_planner(const Spec& spec, const Scale& scale);
 
-/// Whether the spec says how far to go. Without that, a target must.
+/// Whether the spec says how far to go. Without that, a target must, or the default does.
 bool has_threshold(const Spec& spec);
 
-/// Whether the module has a sensible threshold of its own when neither spec nor target give one.
+/// The key that sets how far a module goes, as a spec would name it: "angle", "distance", "radius",
+/// "max-err". Empty for `vt`, which has no threshold.
+std::string threshold_key(const Spec& spec);
+
+/// Whether the module goes a sensible way when neither spec nor target say how far.
 bool has_default_threshold(const Spec& spec);
 
-/// The planner with its threshold replaced, in the unit of `threshold_unit`.
+/// The planner with its threshold replaced. Of `fass`, the radius.
 Planner with_threshold(const Planner& planner, double threshold);
-
-/// The key that sets the threshold, as the spec would name it: "angle", "distance".
-std::string threshold_key(const Planner& planner);
 
 /// Where to look for a threshold that reaches a target: from `first`, doubling, up to `last`.
 struct ThresholdRange {

@@ -13,6 +13,7 @@ namespace whittle {
 struct Collapse {
   std::uint32_t from, to;
   std::uint32_t faces;  ///< how many vanish with it: two, or one at a boundary
+  float share;          ///< how much of the survivor's attributes comes from `from`, 0..1
   Eigen::Vector3d target;
 };
 

@@ -49,6 +49,9 @@ struct FaceAngle {
   double max_area = HUGE_VAL;  ///< largest area of the vertex's faces together, in square model units, > 0
   Lock lock = Lock::ring;
   Apex apex = Apex::delaunay;
+  /// With `merge`, a boundary vertex goes, too, if moreover the boundary turns there by at most the
+  /// threshold; the fan then starts at one of its neighbours along the boundary.
+  Boundary boundary = Boundary::keep;
   FlipGuard guard;
 
   /// \throw InvalidParameter  a value outside the range given above.
@@ -67,7 +70,8 @@ struct FaceAngle {
 
  private:
   template <typename Real>
-  bool is_flat(const SurfaceT<Real>& surface, const Ring& ring, std::vector<Eigen::Vector3d>& normals) const;
+  bool is_flat(const SurfaceT<Real>& surface, std::uint32_t v, const Ring& ring,
+               std::vector<Eigen::Vector3d>& normals) const;
 
   template <typename Real>
   void order_apexes(const SurfaceT<Real>& surface, const Ring& ring,
@@ -83,7 +87,7 @@ inline void FaceAngle::validate() const {
 }
 
 template <typename Real>
-bool FaceAngle::is_flat(const SurfaceT<Real>& surface, const Ring& ring,
+bool FaceAngle::is_flat(const SurfaceT<Real>& surface, std::uint32_t v, const Ring& ring,
                         std::vector<Eigen::Vector3d>& normals) const {
   normals.clear();
   double area = 0;
@@ -97,16 +101,23 @@ bool FaceAngle::is_flat(const SurfaceT<Real>& surface, const Ring& ring,
   if (area > max_area) return false;
 
   // Rounding may take the cosine of two equal unit normals a few ulps below 1, hence the allowance.
-  const double min_cos = std::cos(max_normal_angle * (kPi / 180)) - 1e-12;
-  const int n = static_cast<int>(normals.size());
+  const double angle = std::min(180.0, max_normal_angle * surface.tolerance(v));
+  const double min_cos = std::cos(angle * (kPi / 180)) - 1e-12;
+  const bool closed = ring.shape == Ring::Shape::closed;
+  const std::size_t n = normals.size();
   int within = 0, angles = 0;
-  for (int i = 0; i < n; ++i) {
-    const int last = pairs == Pairs::all ? n - 1 : std::min(i + 1, n - 1);
-    for (int j = i + 1; j <= last; ++j, ++angles) within += normals[i].dot(normals[j]) >= min_cos;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t last = pairs == Pairs::all ? n - 1 : std::min(i + 1, n - 1);
+    for (std::size_t j = i + 1; j <= last; ++j, ++angles) within += normals[i].dot(normals[j]) >= min_cos;
   }
-  if (pairs == Pairs::adjacent) {  // the last face and the first close the ring
+  if (pairs == Pairs::adjacent && closed) {
     within += normals[n - 1].dot(normals[0]) >= min_cos;
     ++angles;
+  }
+  if (!closed) {
+    const Eigen::Vector3d in = (surface.point(v) - surface.point(ring.vertices.front())).normalized();
+    const Eigen::Vector3d out = (surface.point(ring.vertices.back()) - surface.point(v)).normalized();
+    if (in.dot(out) < min_cos) return false;
   }
   return count == kAllAngles ? within == angles : within >= count;
 }
@@ -119,10 +130,11 @@ void FaceAngle::order_apexes(const SurfaceT<Real>& surface, const Ring& ring,
   for (std::size_t a = 0; a < n; ++a) {
     double worst = HUGE_VAL;
     const Eigen::Vector3d p = surface.point(ring.vertices[a]);
-    for (std::size_t i = 1; i + 1 < n; ++i)
+    for (std::size_t i = 1; i + 1 < n; ++i)  // the fan; of an open ring, only its ends have one
       worst = std::min(worst, triangle_quality(p, surface.point(ring.vertices[(a + i) % n]),
                                                surface.point(ring.vertices[(a + i + 1) % n])));
-    apexes.emplace_back(worst, ring.vertices[a]);
+    if (ring.shape == Ring::Shape::closed || a == 0 || a == n - 1)
+      apexes.emplace_back(worst, ring.vertices[a]);
   }
   std::sort(apexes.begin(), apexes.end(), [&](const auto& l, const auto& r) {
     if (apex == Apex::delaunay) return l.first != r.first ? l.first > r.first : l.second < r.second;
@@ -142,18 +154,18 @@ CollapsePlan FaceAngle::plan(const SurfaceT<Real>& surface) const {
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
   for (std::uint32_t v = 0; v < surface.n_vertices(); ++v) {
-    if (kept[v] || !surface.is_free(v)) continue;
+    if (kept[v] || !surface.is_free(v, boundary)) continue;
     const Ring& ring = walk.around(v);
     if (lock == Lock::strict &&
         std::any_of(ring.vertices.begin(), ring.vertices.end(), [&](std::uint32_t w) { return kept[w]; }))
       continue;
-    if (!is_flat(surface, ring, normals)) continue;
+    if (!is_flat(surface, v, ring, normals)) continue;
 
     order_apexes(surface, ring, apexes);
     Verdict verdict = Verdict::refused_by_link, first_verdict = verdict;
     for (std::size_t i = 0; i < apexes.size() && verdict != Verdict::accepted; ++i) {
       const std::uint32_t to = apexes[i].second;
-      verdict = draft.template merge<2>({to, v}, surface.point(to));
+      verdict = draft.merge({to, v}, surface.point(to));
       if (i == 0) first_verdict = verdict;
     }
     if (verdict != Verdict::accepted) {

@@ -49,6 +49,10 @@ class ModFaceAngleT : public ModPlannedT<MeshT, FaceAngle> {
   void set_apex(FaceAngle::Apex apex) {
     this->change([&](FaceAngle& p) { p.apex = apex; });
   }
+  /// Default: boundary vertices stay.
+  void set_boundary(Boundary boundary) {
+    this->change([&](FaceAngle& p) { p.boundary = boundary; });
+  }
   /// Least cosine between a face's new and original normal. -1..1, default 0.2; -1 turns the flip guard off.
   void set_flip_guard(double min_cos) {
     this->change([&](FaceAngle& p) { p.guard.min_cos = min_cos; });

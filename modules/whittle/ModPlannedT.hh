@@ -2,13 +2,18 @@
 /// What all of Whittle's decimater modules share: a plan, looked up collapse by collapse.
 #pragma once
 
+#include <OpenMesh/Core/Utils/Property.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "whittle/CollapsePlan.hh"
+#include "whittle/Stages.hh"
+#include "whittle/attributes.hh"
 #include "whittle/openmesh.hh"
 
 namespace whittle {
@@ -22,12 +27,26 @@ class PlannedModule {
   virtual const CollapsePlan& plan() = 0;
 };
 
+/// What has become of a plan in a decimater.
+struct PlanOutcome {
+  std::size_t planned = 0;   ///< collapses in the plan
+  std::size_t executed = 0;  ///< of them
+  std::size_t illegal = 0;   ///< not executed, and OpenMesh finds them illegal now
+  std::size_t apart =
+      0;  ///< not executed, and their vertices share no edge, for an earlier collapse is missing
+  std::size_t left =
+      0;  ///< the rest: forbidden by another module, not selected, or the decimater stopped before
+};
+
 /// An OpenMesh decimater module over a planner. `initialize()` takes a snapshot of the mesh and plans on it;
 /// `collapse_priority()` is a look-up in that plan, so it cannot go stale while the mesh is decimated.
 ///
 /// - As the priority module it allows just the planned collapses, in the order of the plan. In binary mode it
 ///   forbids every collapse that is not planned.
-/// - Vertices with status locked or feature stay. The mesh gets no property and keeps its own.
+/// - Vertices with status locked or feature, and those on a seam of half-edge texture coordinates, stay.
+/// - A survivor's normal, colour and texture coordinates are blended from the vertices that merged, face
+/// normals are
+///   refreshed. Other properties stay as they are, and the mesh gets none.
 /// - OpenMesh's decimaters initialise their modules once. For another pass call `initialize()` of the module
 ///   itself. After a garbage collection the plan is made anew without being asked.
 /// - `set_error_tolerance_factor(f)` multiplies the planner's threshold by f.
@@ -51,15 +70,43 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     n_planned_vertices_ = kNoPlan;
   }
 
+  /// How often the planner is run, each time on what the last one leaves; kUntilRest until nothing changes.
+  /// All passes are one plan, and the flip guard judges all of them by the input's normals. From 1;
+  /// default 1. \throw InvalidParameter
+  void set_passes(std::size_t passes) {
+    if (passes == 0) throw InvalidParameter("the number of passes must be at least 1");
+    passes_ = passes;
+    n_planned_vertices_ = kNoPlan;
+  }
+  static constexpr std::size_t kUntilRest = ~std::size_t{0};
+
+  /// A factor of the threshold for each vertex: 0 keeps the vertex, 1 is neutral, 2 doubles the length or
+  /// angle. Where a threshold concerns several vertices, the least factor counts. An invalid handle takes it
+  /// back.
+  void set_tolerance(OpenMesh::VPropHandleT<float> tolerance) {
+    tolerance_ = tolerance;
+    n_planned_vertices_ = kNoPlan;
+  }
+
   /// Plans for the mesh as it is now.
-  /// \throw InvalidMesh  a face is not a triangle, a coordinate is not finite.
+  /// \throw InvalidMesh       a face is not a triangle, a coordinate is not finite.
+  /// \throw InvalidParameter  a tolerance is negative or not finite.
   void initialize() override {
-    const auto indexed = to_indexed(this->mesh());
-    const SurfaceT<typename MeshT::Scalar> surface(indexed, user_flags(this->mesh()));
-    plan_ = planner_.scaled(this->error_tolerance_factor_).plan(surface);
+    const MeshT& mesh = this->mesh();
+    const auto indexed = to_indexed(mesh);
+    SurfaceExtras extras;
+    extras.flags = user_flags(mesh);
+    if (tolerance_.is_valid())
+      for (std::size_t v = 0; v < mesh.n_vertices(); ++v)
+        extras.tolerance.push_back(
+            mesh.property(tolerance_, typename MeshT::VertexHandle(static_cast<int>(v))));
+    const SurfaceT<typename MeshT::Scalar> surface(indexed, std::move(extras));
+    plan_ = plan_passes(planner_.scaled(this->error_tolerance_factor_), surface, passes_,
+                        [](const auto&) { return false; });
     rank_.assign(indexed.points.size(), kNotPlanned);
     for (std::size_t i = 0; i < plan_.collapses.size(); ++i)
       rank_[plan_.collapses[i].from] = static_cast<std::uint32_t>(i);
+    executed_.assign(plan_.collapses.size(), false);
     n_planned_vertices_ = indexed.points.size();
   }
 
@@ -74,12 +121,20 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     return this->is_binary() ? float(ModBase::LEGAL_COLLAPSE) : priority(rank_[collapse->from]);
   }
 
+  void preprocess_collapse(const CollapseInfo& ci) override {
+    if (planned(ci)) corners_.before(this->mesh(), ci.v0v1);
+  }
+
   /// Moves the survivor to its target. OpenMesh refreshes face normals before this call, hence once more
   /// here.
   void postprocess_collapse(const CollapseInfo& ci) override {
     const Collapse* collapse = planned(ci);
     if (!collapse) return;
+    executed_[rank_[collapse->from]] = true;
     auto& mesh = this->mesh();
+    if (collapse->share > 0) blend_vertex_attributes(mesh, ci.v0, ci.v1, collapse->share);
+    corners_.after(mesh, ci.v1, collapse->share);
+
     auto p = mesh.point(ci.v1);
     bool moved = false;
     for (int i = 0; i < 3; ++i) {
@@ -91,6 +146,36 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     mesh.set_point(ci.v1, p);
     if (!mesh.has_face_normals()) return;
     for (auto f = mesh.cvf_iter(ci.v1); f.is_valid(); ++f) mesh.set_normal(*f, mesh.calc_face_normal(*f));
+  }
+
+  /// What has become of the plan. Ask before garbage collection, while the mesh has vertex and edge status.
+  PlanOutcome outcome() {
+    PlanOutcome out;
+    out.planned = plan().collapses.size();
+    for (std::size_t i = 0; i < out.planned; ++i) {
+      const auto edge =
+          this->mesh().find_halfedge(vertex(plan_.collapses[i].from), vertex(plan_.collapses[i].to));
+      if (executed_[i])
+        ++out.executed;
+      else if (!edge.is_valid())
+        ++out.apart;
+      else if (!this->mesh().is_collapse_ok(edge))
+        ++out.illegal;
+      else
+        ++out.left;
+    }
+    return out;
+  }
+
+  /// For each vertex of the mesh the vertex that it has become; itself if it still stands. Indices are those
+  /// before garbage collection.
+  std::vector<int> vertex_map() {
+    plan();
+    std::vector<int> map(this->mesh().n_vertices());
+    std::iota(map.begin(), map.end(), 0);
+    for (std::size_t i = plan_.collapses.size(); i-- > 0;)
+      if (executed_[i]) map[plan_.collapses[i].from] = map[plan_.collapses[i].to];
+    return map;
   }
 
   void set_error_tolerance_factor(double factor) override {
@@ -110,6 +195,10 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
  private:
   static constexpr std::uint32_t kNotPlanned = 0xffffffffu;
   static constexpr std::size_t kNoPlan = ~std::size_t{0};
+
+  static typename MeshT::VertexHandle vertex(std::uint32_t v) {
+    return typename MeshT::VertexHandle(static_cast<int>(v));
+  }
 
   const Collapse* planned(const CollapseInfo& ci) {
     plan();
@@ -131,8 +220,12 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   Planner planner_;
+  std::size_t passes_ = 1;
+  OpenMesh::VPropHandleT<float> tolerance_;
   CollapsePlan plan_;
   std::vector<std::uint32_t> rank_;  // of the collapse that removes a vertex
+  std::vector<bool> executed_;       // for each collapse of the plan
+  CornerAttributes<MeshT> corners_;
   std::size_t n_planned_vertices_ = kNoPlan;
 };
 

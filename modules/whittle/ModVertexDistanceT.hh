@@ -26,6 +26,10 @@ class ModVertexDistanceT : public ModPlannedT<MeshT, VertexDistance> {
   void set_placement(VertexDistance::Placement placement) {
     this->change([&](VertexDistance& p) { p.placement = placement; });
   }
+  /// Default: boundary vertices stay.
+  void set_boundary(Boundary boundary) {
+    this->change([&](VertexDistance& p) { p.boundary = boundary; });
+  }
   /// Least cosine between a face's new and original normal. -1..1, default 0.2; -1 turns the flip guard off.
   void set_flip_guard(double min_cos) {
     this->change([&](VertexDistance& p) { p.guard.min_cos = min_cos; });

@@ -2,7 +2,9 @@
 /// A plan while it is drawn up, and the surface as it will be once the plan so far is executed.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -48,13 +50,17 @@ class PlanDraftT {
   /// What has become of a vertex; the vertex itself if it still stands.
   std::uint32_t survivor(std::uint32_t v) const { return survivor_[v]; }
 
+  /// Where a survivor lies.
+  Eigen::Vector3d position(std::uint32_t survivor) const {
+    return position_[survivor].template cast<double>();
+  }
+
   enum class Verdict { accepted, refused_by_link, refused_by_flip_guard };
 
   /// Merges `members` into the first of them, at `target`; all must be survivors and connected by edges to
   /// the first. Refused, nothing changes. The caller counts the refusal with `count_refusal`, for it may have
   /// another proposal for the same place.
-  template <std::size_t N>
-  Verdict merge(const std::array<std::uint32_t, N>& members, const Eigen::Vector3d& target);
+  Verdict merge(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target);
 
   void count_refusal(Verdict verdict) {
     if (verdict == Verdict::refused_by_link) ++plan_.record.refused_by_link;
@@ -84,8 +90,19 @@ class PlanDraftT {
   /// How many faces the collapse would remove; 0 where it is illegal.
   std::uint32_t legal_faces(std::uint32_t from, std::uint32_t to);
 
-  template <std::size_t N>
-  bool keeps_orientation(const std::array<std::uint32_t, N>& members, const Eigen::Vector3d& target) const;
+  bool keeps_orientation(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target);
+
+  /// A stamp that no entry of `mark_` has.
+  std::uint32_t new_stamp() {
+    if (stamp_ == 0xffffffffu) {
+      std::fill(mark_.begin(), mark_.end(), 0u);
+      stamp_ = 0;
+    }
+    return ++stamp_;
+  }
+
+  /// How much each member counts for the attributes at the target; they sum to 1.
+  std::vector<double> weights(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target) const;
 
   /// Moves the cluster of `from` over to `to`. The clusters are circular lists, so exchanging the links of
   /// one vertex of each joins them, and exchanging them again parts them.
@@ -113,25 +130,51 @@ class PlanDraftT {
 };
 
 template <typename Real>
-template <std::size_t N>
-auto PlanDraftT<Real>::merge(const std::array<std::uint32_t, N>& members, const Eigen::Vector3d& target)
+auto PlanDraftT<Real>::merge(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target)
     -> Verdict {
   if (!keeps_orientation(members, target)) return Verdict::refused_by_flip_guard;
   const std::uint32_t to = members[0];
-  std::array<std::uint32_t, N> faces{};
-  for (std::size_t i = 1; i < N; ++i) {
-    faces[i] = legal_faces(members[i], to);
-    if (faces[i] > 0) {
+  const std::size_t first = plan_.collapses.size();
+  for (std::size_t i = 1; i < members.size(); ++i) {
+    const std::uint32_t faces = legal_faces(members[i], to);
+    if (faces > 0) {
       join(members[i], to);
-    } else {
-      while (--i > 0) part(members[i], to);
-      return Verdict::refused_by_link;
+      plan_.collapses.push_back({members[i], to, faces, 0, target});
+      continue;
     }
+    for (; plan_.collapses.size() > first; plan_.collapses.pop_back()) part(plan_.collapses.back().from, to);
+    return Verdict::refused_by_link;
+  }
+  const std::vector<double> weight = weights(members, target);
+  double sum = weight[0];
+  for (std::size_t i = 1; i < members.size(); ++i) {
+    sum += weight[i];
+    plan_.collapses[first + i - 1].share = sum > 0 ? static_cast<float>(weight[i] / sum) : 0.5f;
   }
   position_[to] = target.template cast<Real>();
-  for (std::size_t i = 1; i < N; ++i) plan_.collapses.push_back({members[i], to, faces[i], target});
   ++plan_.record.planned;
   return Verdict::accepted;
+}
+
+/// Two members: by the target's place between them. Three: its barycentric coordinates. More: all alike.
+template <typename Real>
+std::vector<double> PlanDraftT<Real>::weights(const std::vector<std::uint32_t>& members,
+                                              const Eigen::Vector3d& target) const {
+  const auto at = [&](std::size_t i) { return position(members[i]); };
+  if (members.size() == 2) {
+    const Eigen::Vector3d edge = at(1) - at(0);
+    const double t = edge.squaredNorm() > 0 ? (target - at(0)).dot(edge) / edge.squaredNorm() : 0.5;
+    return {1 - std::clamp(t, 0.0, 1.0), std::clamp(t, 0.0, 1.0)};
+  }
+  if (members.size() == 3) {
+    const Eigen::Vector3d n = (at(1) - at(0)).cross(at(2) - at(0));
+    std::vector<double> area;
+    for (std::size_t i = 0; i < 3; ++i)
+      area.push_back(std::max(0.0, n.dot((at((i + 1) % 3) - target).cross(at((i + 2) % 3) - target))));
+    const double sum = area[0] + area[1] + area[2];
+    if (sum > 0) return {area[0] / sum, area[1] / sum, area[2] / sum};
+  }
+  return std::vector<double>(members.size(), 1.0 / static_cast<double>(members.size()));
 }
 
 /// The link condition: the only common neighbours of the two ends are the vertices opposite the edge.
@@ -147,11 +190,7 @@ std::uint32_t PlanDraftT<Real>::legal_faces(std::uint32_t from, std::uint32_t to
   const bool from_boundary = surface_.is_boundary(from), to_boundary = surface_.is_boundary(to);
   if (from_boundary && !to_boundary) return 0;
 
-  if (stamp_ > 0xfffffff0u) {
-    std::fill(mark_.begin(), mark_.end(), 0u);
-    stamp_ = 0;
-  }
-  const std::uint32_t near_from = ++stamp_, near_both = ++stamp_, near_to = ++stamp_;
+  const std::uint32_t near_from = new_stamp(), near_both = new_stamp(), near_to = new_stamp();
   std::uint32_t shared_faces = 0, common = 0, valence_from = 0, valence_to = 0;
   for_each_face(from, [&](std::uint32_t, const std::array<std::uint32_t, 3>& c) {
     for (const std::uint32_t v : c) {
@@ -178,25 +217,26 @@ std::uint32_t PlanDraftT<Real>::legal_faces(std::uint32_t from, std::uint32_t to
 }
 
 template <typename Real>
-template <std::size_t N>
-bool PlanDraftT<Real>::keeps_orientation(const std::array<std::uint32_t, N>& members,
-                                         const Eigen::Vector3d& target) const {
+bool PlanDraftT<Real>::keeps_orientation(const std::vector<std::uint32_t>& members,
+                                         const Eigen::Vector3d& target) {
   if (guard_.min_cos <= -1) return true;
   const Eigen::Vector3d rounded = target.template cast<Real>().template cast<double>();
+  const std::uint32_t member = new_stamp();
+  for (const std::uint32_t m : members) mark_[m] = member;
   bool keeps = true;
-  for (std::uint32_t member : members) {
-    if (position_[member].template cast<double>() == rounded) continue;  // its faces stay as they are
-    for_each_face(member, [&](std::uint32_t f, const std::array<std::uint32_t, 3>& c) {
+  for (const std::uint32_t m : members) {
+    if (position(m) == rounded) continue;  // its faces stay as they are
+    for_each_face(m, [&](std::uint32_t f, const std::array<std::uint32_t, 3>& c) {
+      if (!keeps) return;
       int inside = 0;
       std::array<Eigen::Vector3d, 3> p;
       for (int i = 0; i < 3; ++i) {
-        bool is_member = false;
-        for (const std::uint32_t m : members) is_member |= c[i] == m;
-        inside += is_member;
-        p[i] = is_member ? rounded : position_[c[i]].template cast<double>();
+        const bool moves = mark_[c[i]] == member;
+        inside += moves;
+        p[i] = moves ? rounded : position(c[i]);
       }
-      if (!keeps || inside > 1) return;  // already refused, or the face vanishes
-      const Eigen::Vector3d before = surface_.normal(f), after = (p[1] - p[0]).cross(p[2] - p[0]);
+      if (inside > 1) return;  // the face vanishes
+      const Eigen::Vector3d before = surface_.reference_normal(f), after = (p[1] - p[0]).cross(p[2] - p[0]);
       const double lengths = std::sqrt(before.squaredNorm() * after.squaredNorm());
       if (before.squaredNorm() > 0 && !(before.dot(after) > guard_.min_cos * lengths)) keeps = false;
     });

@@ -17,11 +17,28 @@ namespace whittle {
 
 /// Why a vertex must stay where it is. A vertex without any flag is *free*: it may move and vanish.
 enum VertexFlag : std::uint8_t {
-  kBoundary = 1,  ///< on an open edge; kept by default
-  kComplex = 2,   ///< its faces are not one fan: non-manifold, or a face names it twice
-  kLocked = 4,    ///< by the user
-  kFeature = 8,   ///< by the user
-  kIsolated = 16  ///< in no face
+  kBoundary = 1,   ///< on an open edge; kept by default
+  kComplex = 2,    ///< its faces are not one fan: non-manifold, or a face names it twice
+  kLocked = 4,     ///< by the user
+  kFeature = 8,    ///< by the user
+  kIsolated = 16,  ///< in no face
+  kSeam = 32       ///< its faces disagree about its texture coordinate
+};
+
+/// What a planner does with boundary vertices that nothing else holds.
+enum class Boundary {
+  keep,  ///< they stay
+  merge  ///< they may merge with one another along the boundary, never with inner vertices
+};
+
+/// What else is known of a mesh; every part may be empty.
+struct SurfaceExtras {
+  std::vector<std::uint8_t> flags;  ///< for each vertex: kLocked, kFeature, kSeam
+  /// For each vertex a factor of the planner's threshold: 0 keeps the vertex, 1 is neutral, 2 doubles the
+  /// length or the angle. Finite, >= 0. Where a threshold concerns several vertices, the least factor counts.
+  std::vector<float> tolerance;
+  /// For each face the normal that the flip guard judges it by, of any length; its own where this is empty.
+  std::vector<Eigen::Vector3d> reference_normals;
 };
 
 /// The faces of one vertex in order around it, as `RingWalk` finds them.
@@ -40,9 +57,13 @@ class SurfaceT {
   using Triangle = typename IndexedMeshT<Real>::Triangle;
 
   /// \param mesh   every index must be in range.
-  /// \param flags  the user's flags (kLocked, kFeature) for each vertex; empty for none.
   /// \throw InvalidMesh  an index out of range, a coordinate that is not finite.
-  explicit SurfaceT(const IndexedMeshT<Real>& mesh, std::vector<std::uint8_t> flags = {});
+  /// \throw InvalidParameter  extras of another size than the mesh, a tolerance that is negative or not
+  /// finite.
+  explicit SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras = {});
+
+  const IndexedMeshT<Real>& mesh() const { return mesh_; }
+  const SurfaceExtras& extras() const { return extras_; }
 
   std::uint32_t n_vertices() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
   std::uint32_t n_faces() const { return static_cast<std::uint32_t>(mesh_.triangles.size()); }
@@ -57,22 +78,38 @@ class SurfaceT {
     return (point(t[1]) - a).cross(point(t[2]) - a);
   }
 
+  /// The normal that the flip guard judges a face by.
+  Eigen::Vector3d reference_normal(std::uint32_t f) const {
+    return extras_.reference_normals.empty() ? normal(f) : extras_.reference_normals[f];
+  }
+
+  /// The factor of a planner's threshold at a vertex.
+  double tolerance(std::uint32_t v) const {
+    return extras_.tolerance.empty() ? 1 : double(extras_.tolerance[v]);
+  }
+
   /// The faces around `v` in index order, as a pair of pointers.
   std::pair<const std::uint32_t*, const std::uint32_t*> star(std::uint32_t v) const {
     return {faces_.data() + first_[v], faces_.data() + first_[v + 1]};
   }
 
-  std::uint8_t flags(std::uint32_t v) const { return flags_[v]; }
-  bool is_free(std::uint32_t v) const { return flags_[v] == 0; }
-  bool is_boundary(std::uint32_t v) const { return (flags_[v] & kBoundary) != 0; }
-  bool is_complex(std::uint32_t v) const { return (flags_[v] & kComplex) != 0; }
+  std::uint8_t flags(std::uint32_t v) const { return extras_.flags[v]; }
+  bool is_free(std::uint32_t v, Boundary boundary = Boundary::keep) const {
+    return flags(v) == 0 || (boundary == Boundary::merge && flags(v) == kBoundary);
+  }
+  /// Whether two vertices may become one; the link condition sees to it that it happens along the boundary.
+  bool may_merge(std::uint32_t a, std::uint32_t b, Boundary boundary) const {
+    return is_free(a, boundary) && is_free(b, boundary) && is_boundary(a) == is_boundary(b);
+  }
+  bool is_boundary(std::uint32_t v) const { return (flags(v) & kBoundary) != 0; }
+  bool is_complex(std::uint32_t v) const { return (flags(v) & kComplex) != 0; }
 
  private:
   void collect_stars();
 
   const IndexedMeshT<Real>& mesh_;
   std::vector<std::uint32_t> first_, faces_;  // star of v: faces_[first_[v]] .. faces_[first_[v + 1]]
-  std::vector<std::uint8_t> flags_;
+  SurfaceExtras extras_;
 };
 
 /// Orders the faces around vertices. Time is linear in the valence; keeps one scratch array for all vertices.
@@ -151,12 +188,21 @@ const Ring& RingWalk<Real>::around(std::uint32_t v) {
 }
 
 template <typename Real>
-SurfaceT<Real>::SurfaceT(const IndexedMeshT<Real>& mesh, std::vector<std::uint8_t> flags)
-    : mesh_(mesh), flags_(std::move(flags)) {
-  flags_.resize(mesh.points.size(), 0);
-  for (std::uint32_t v = 0; v < n_vertices(); ++v)
+SurfaceT<Real>::SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras)
+    : mesh_(mesh), extras_(std::move(extras)) {
+  const auto fits = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
+  if (!fits(extras_.flags.size(), n_vertices()) || !fits(extras_.tolerance.size(), n_vertices()) ||
+      !fits(extras_.reference_normals.size(), n_faces()))
+    throw InvalidParameter("flags, tolerances or normals do not have the size of the mesh");
+  extras_.flags.resize(mesh.points.size(), 0);
+  for (std::uint32_t v = 0; v < n_vertices(); ++v) {
     if (!mesh.points[v].allFinite())
       throw InvalidMesh("vertex " + std::to_string(v) + " has a coordinate that is not finite");
+    if (!(tolerance(v) >= 0 && std::isfinite(tolerance(v))))
+      throw InvalidParameter("vertex " + std::to_string(v) +
+                             " has a tolerance that is negative or not finite");
+    if (tolerance(v) == 0) extras_.flags[v] |= kLocked;
+  }
   collect_stars();
 
   RingWalk<Real> walk(*this);
@@ -164,13 +210,13 @@ SurfaceT<Real>::SurfaceT(const IndexedMeshT<Real>& mesh, std::vector<std::uint8_
       case Ring::Shape::closed:
         break;
       case Ring::Shape::open:
-        flags_[v] |= kBoundary;
+        extras_.flags[v] |= kBoundary;
         break;
       case Ring::Shape::complex:
-        flags_[v] |= kComplex;
+        extras_.flags[v] |= kComplex;
         break;
       case Ring::Shape::empty:
-        flags_[v] |= kIsolated;
+        extras_.flags[v] |= kIsolated;
         break;
     }
 }

@@ -2,11 +2,11 @@
 /// IVDD, intervertex distance dependence: short edges and small triangles fold to a point.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "whittle/PlanDraft.hh"
+#include "whittle/ShortEdges.hh"
 #include "whittle/Surface.hh"
 #include "whittle/errors.hh"
 #include "whittle/triangle.hh"
@@ -25,6 +25,7 @@ struct VertexDistance {
     enclosing,    ///< centre of the smallest enclosing circle; never outside of the triangle
     circumcenter  ///< the paper's words; far off the surface for obtuse triangles, so the guard refuses many
   } placement = Placement::enclosing;
+  Boundary boundary = Boundary::keep;  ///< `merge`: boundary edges fold to their midpoint
   FlipGuard guard;
 
   /// \throw InvalidParameter  a value outside the range given above.
@@ -53,43 +54,30 @@ CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
   validate();
   PlanDraftT<Real> draft(surface, guard);
   std::vector<bool> folded(surface.n_vertices(), false);
-  const auto is_free = [&](std::uint32_t v) { return surface.is_free(v) && !folded[v]; };
   using Verdict = typename PlanDraftT<Real>::Verdict;
-  const double limit = max_distance * max_distance;
 
   for (std::uint32_t f = 0; f < surface.n_faces(); ++f) {
-    const auto& t = surface.triangle(f);
-    int n_short = 0, shortest = -1;
-    std::array<double, 3> length{};  // squared, of the edge from corner i to the next
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-      if (!is_free(a) || !is_free(b)) continue;
-      length[i] = (surface.point(b) - surface.point(a)).squaredNorm();
-      if (!(length[i] < limit)) continue;
-      ++n_short;
-      if (shortest < 0 || length[i] < length[shortest]) shortest = i;
-    }
-    if (n_short == 0) continue;
+    const ShortEdges edges(surface, f, max_distance, boundary, folded);
+    if (edges.count == 0) continue;
 
-    Verdict verdict = Verdict::accepted;
-    if (n_short >= 2) {
+    const auto& t = surface.triangle(f);
+    Verdict triangle = Verdict::accepted;
+    if (edges.count >= 2 && !surface.is_boundary(t[0])) {
       const Eigen::Vector3d a = surface.point(t[0]), b = surface.point(t[1]), c = surface.point(t[2]);
-      verdict = draft.template merge<3>({t[0], t[1], t[2]}, placement == Placement::enclosing
-                                                                ? enclosing_center(a, b, c)
-                                                                : circumcenter(a, b, c));
-      if (verdict == Verdict::accepted) {
+      const bool literal = placement == Placement::circumcenter;
+      triangle = draft.merge({t[0], t[1], t[2]}, literal ? circumcenter(a, b, c) : enclosing_center(a, b, c));
+      if (triangle == Verdict::accepted) {
         folded[t[0]] = folded[t[1]] = folded[t[2]] = true;
         continue;
       }
     }
-    const Verdict refusal = verdict;
-    const std::uint32_t a = t[shortest], b = t[(shortest + 1) % 3];
-    verdict = draft.template merge<2>({a, b}, (surface.point(a) + surface.point(b)) / 2);
-    if (verdict == Verdict::accepted) {
+    const std::uint32_t a = t[edges.shortest], b = t[(edges.shortest + 1) % 3];
+    const Verdict edge = draft.merge({a, b}, (surface.point(a) + surface.point(b)) / 2);
+    if (edge == Verdict::accepted) {
       folded[a] = folded[b] = true;
-      if (refusal != Verdict::accepted) draft.count_fallback();
+      if (triangle != Verdict::accepted) draft.count_fallback();
     } else {
-      draft.count_refusal(verdict);
+      draft.count_refusal(edge);
     }
   }
   return draft.take();

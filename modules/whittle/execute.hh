@@ -19,6 +19,7 @@ struct ExecutedT {
   IndexedMeshT<Real> mesh;                 ///< vertices and faces in their old order
   std::vector<std::uint32_t> vertex_map;   ///< for each old vertex the new vertex that it became
   std::vector<std::uint32_t> face_origin;  ///< for each new face the old face that it was
+  std::vector<bool> survives;              ///< for each old vertex whether it still stands, moved or not
 };
 
 /// Carries out the first `n_collapses` of a plan, all by default. The plan must have been made for this mesh.
@@ -37,8 +38,10 @@ ExecutedT<Real> execute(const CollapsePlan& plan, const IndexedMeshT<Real>& mesh
 
   std::uint32_t kept = 0;
   out.vertex_map.resize(mesh.points.size());
+  out.survives.resize(mesh.points.size());
   for (std::uint32_t v = 0; v < survivor.size(); ++v) {
-    if (survivor[v] != v) continue;
+    out.survives[v] = survivor[v] == v;
+    if (!out.survives[v]) continue;
     out.mesh.points[kept] = out.mesh.points[v];
     out.vertex_map[v] = kept++;
   }

@@ -39,15 +39,38 @@ IndexedMeshT<typename Mesh::Scalar> to_indexed(const Mesh& mesh) {
   return out;
 }
 
-/// What the user said of each vertex: locked, feature.
+/// Whether the faces around a vertex disagree about its texture coordinate. False for a mesh without
+/// half-edge texture coordinates.
+template <typename Mesh>
+bool is_on_seam(const Mesh& mesh, typename Mesh::VertexHandle v) {
+  const auto differs = [&](auto has, auto get) {
+    if (!has) return false;
+    typename Mesh::HalfedgeHandle first;
+    for (auto h = mesh.cvih_iter(v); h.is_valid(); ++h) {
+      if (mesh.is_boundary(*h)) continue;
+      if (!first.is_valid()) first = *h;
+      if (get(*h) != get(first)) return true;
+    }
+    return false;
+  };
+  return differs(mesh.has_halfedge_texcoords1D(), [&](auto h) { return mesh.texcoord1D(h); }) ||
+         differs(mesh.has_halfedge_texcoords2D(), [&](auto h) { return mesh.texcoord2D(h); }) ||
+         differs(mesh.has_halfedge_texcoords3D(), [&](auto h) { return mesh.texcoord3D(h); });
+}
+
+/// What the user said of each vertex: locked, feature; and whether its half-edge texture coordinates differ.
 template <typename Mesh>
 std::vector<std::uint8_t> user_flags(const Mesh& mesh) {
   std::vector<std::uint8_t> flags(mesh.n_vertices(), 0);
-  if (!mesh.has_vertex_status()) return flags;
-  for (std::size_t v = 0; v < flags.size(); ++v) {
-    const auto& status = mesh.status(typename Mesh::VertexHandle(static_cast<int>(v)));
-    if (status.locked()) flags[v] |= kLocked;
-    if (status.feature()) flags[v] |= kFeature;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    const typename Mesh::VertexHandle v(static_cast<int>(i));
+    if (mesh.has_vertex_status()) {
+      const auto& status = mesh.status(v);
+      if (status.deleted()) continue;
+      if (status.locked()) flags[i] |= kLocked;
+      if (status.feature()) flags[i] |= kFeature;
+    }
+    if (is_on_seam(mesh, v)) flags[i] |= kSeam;
   }
   return flags;
 }

@@ -10,7 +10,8 @@ using meshes::IndexedMesh;
 namespace {
 
 CollapsePlan plan(const FaceAngle& planner, const IndexedMesh& mesh, std::vector<std::uint8_t> flags = {}) {
-  return planner.plan(SurfaceT<double>(mesh, std::move(flags)));
+  flags.resize(mesh.points.size());
+  return planner.plan(SurfaceT<double>(mesh, {std::move(flags), {}, {}}));
 }
 
 std::vector<std::uint32_t> removed(const CollapsePlan& plan) {

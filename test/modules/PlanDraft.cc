@@ -14,7 +14,7 @@ struct Bench {
   explicit Bench(IndexedMesh m, double min_cos = -1)
       : mesh(std::move(m)), surface(mesh), draft(surface, {min_cos}) {}
   Verdict edge(std::uint32_t to, std::uint32_t from) {
-    return draft.merge<2>({to, from}, (mesh.points[to] + mesh.points[from]) / 2);
+    return draft.merge({to, from}, (mesh.points[to] + mesh.points[from]) / 2);
   }
   IndexedMesh mesh;
   SurfaceT<double> surface;
@@ -94,17 +94,17 @@ TEST_CASE("three vertices merge as a whole or not at all") {
   SECTION("as a whole") {
     Bench bench(meshes::torus(8, 6));
     const auto t = bench.mesh.triangles[0];
-    REQUIRE(bench.draft.merge<3>({t[0], t[1], t[2]}, bench.mesh.points[t[0]]) == Verdict::accepted);
+    REQUIRE(bench.draft.merge({t[0], t[1], t[2]}, bench.mesh.points[t[0]]) == Verdict::accepted);
     const CollapsePlan plan = bench.draft.take();
     CHECK(plan.collapses.size() == 2);
     CHECK(plan.record.planned == 1);
   }
   SECTION("not at all: the first collapse is legal, the second is not, and both are undone") {
     Bench bench(meshes::octahedron());
-    REQUIRE(bench.draft.merge<3>({0, 1, 4}, {0.3, 0.3, 0.3}) == Verdict::accepted);
+    REQUIRE(bench.draft.merge({0, 1, 4}, {0.3, 0.3, 0.3}) == Verdict::accepted);
     Bench again(meshes::octahedron());
     REQUIRE(again.edge(0, 1) == Verdict::accepted);
-    REQUIRE(again.draft.merge<3>({4, 0, 2}, {0, 0, 0.5}) == Verdict::refused_by_link);
+    REQUIRE(again.draft.merge({4, 0, 2}, {0, 0, 0.5}) == Verdict::refused_by_link);
     CHECK(again.draft.survivor(0) == 0);
     CHECK(again.draft.survivor(1) == 0);
     CHECK(again.edge(4, 0) == Verdict::accepted);
@@ -117,28 +117,28 @@ TEST_CASE("the flip guard compares with the original normal") {
   // The tip of a flat cone moved outside of its polygon turns the faces on the far side over.
   const IndexedMesh mesh = meshes::triangle_in_hexagon({-0.3, 0, 0}, {0.3, -0.1, 0}, {0.3, 0.1, 0}, 1);
   const Eigen::Vector3d outside(3, 0, 0), inside(0.1, 0, 0);
-  CHECK(Bench(mesh, 0.2).draft.merge<3>({0, 1, 2}, outside) == Verdict::refused_by_flip_guard);
-  CHECK(Bench(mesh, 0.2).draft.merge<3>({0, 1, 2}, inside) == Verdict::accepted);
-  CHECK(Bench(mesh, -1).draft.merge<3>({0, 1, 2}, outside) == Verdict::accepted);
+  CHECK(Bench(mesh, 0.2).draft.merge({0, 1, 2}, outside) == Verdict::refused_by_flip_guard);
+  CHECK(Bench(mesh, 0.2).draft.merge({0, 1, 2}, inside) == Verdict::accepted);
+  CHECK(Bench(mesh, -1).draft.merge({0, 1, 2}, outside) == Verdict::accepted);
 }
 
 TEST_CASE("the flip guard's cosine is a bound on the turn") {
   // Lifting the tip of a flat cone of n faces by h turns each face by atan(h / cos(pi / n)).
   const IndexedMesh mesh = meshes::triangle_in_hexagon({-0.1, 0, 0}, {0.05, -0.05, 0}, {0.05, 0.05, 0}, 1);
   const double h = 2, cosine = 1 / std::sqrt(1 + h * h / (0.75));
-  CHECK(Bench(mesh, cosine + 1e-9).draft.merge<3>({0, 1, 2}, {0, 0, h}) == Verdict::refused_by_flip_guard);
-  CHECK(Bench(mesh, cosine - 1e-9).draft.merge<3>({0, 1, 2}, {0, 0, h}) == Verdict::accepted);
+  CHECK(Bench(mesh, cosine + 1e-9).draft.merge({0, 1, 2}, {0, 0, h}) == Verdict::refused_by_flip_guard);
+  CHECK(Bench(mesh, cosine - 1e-9).draft.merge({0, 1, 2}, {0, 0, h}) == Verdict::accepted);
 }
 
 TEST_CASE("a face that would become degenerate is refused, one that was is not judged") {
   IndexedMesh mesh = meshes::cone(6, 0);
-  CHECK(Bench(mesh, 0.2).draft.merge<2>({1, 0}, mesh.points[1]) == Verdict::accepted);
+  CHECK(Bench(mesh, 0.2).draft.merge({1, 0}, mesh.points[1]) == Verdict::accepted);
   mesh.points[0] = mesh.points[4];  // two degenerate faces around the tip
-  CHECK(Bench(mesh, 0.2).draft.merge<2>({1, 0}, mesh.points[1]) == Verdict::accepted);
+  CHECK(Bench(mesh, 0.2).draft.merge({1, 0}, mesh.points[1]) == Verdict::accepted);
   mesh.points[2] = (mesh.points[1] + mesh.points[3]) / 2;  // 1 2 3 in a line
   mesh.points[0] = {0, 0, 0};
-  CHECK(Bench(mesh, 0.2).draft.merge<2>({1, 0}, mesh.points[1]) == Verdict::refused_by_flip_guard);
-  CHECK(Bench(mesh, 0.2).draft.merge<2>({2, 0}, mesh.points[2]) == Verdict::accepted);
+  CHECK(Bench(mesh, 0.2).draft.merge({1, 0}, mesh.points[1]) == Verdict::refused_by_flip_guard);
+  CHECK(Bench(mesh, 0.2).draft.merge({2, 0}, mesh.points[2]) == Verdict::accepted);
 }
 
 TEST_CASE("the guard's cosine has a range") {

@@ -94,7 +94,7 @@ TEST_CASE("the user's flags are kept beside the mesh's") {
   std::vector<std::uint8_t> flags(7, 0);
   flags[0] = kLocked;
   flags[1] = kFeature;
-  const Surface surface(mesh, flags);
+  const Surface surface(mesh, {flags, {}, {}});
   CHECK(surface.flags(0) == kLocked);
   CHECK(surface.flags(1) == (kFeature | kBoundary));
 }

@@ -11,7 +11,7 @@ namespace {
 
 CollapsePlan plan(const VertexDistance& planner, const IndexedMesh& mesh,
                   std::vector<std::uint8_t> flags = {}) {
-  return planner.plan(SurfaceT<double>(mesh, std::move(flags)));
+  return planner.plan(SurfaceT<double>(mesh, {std::move(flags), {}, {}}));
 }
 
 VertexDistance below(double distance) {

@@ -18,7 +18,7 @@ TEST_CASE("nothing planned, nothing changed") {
 TEST_CASE("vertices and faces keep their order, and the maps tell where they went") {
   const IndexedMesh mesh = meshes::cone(4, 1);
   CollapsePlan plan;
-  plan.collapses.push_back({0, 2, 2, {5, 6, 7}});
+  plan.collapses.push_back({0, 2, 2, 0, {5, 6, 7}});
   const auto out = execute(plan, mesh);
   REQUIRE(out.mesh.points.size() == 4);
   CHECK(out.vertex_map == std::vector<std::uint32_t>{1, 0, 1, 2, 3});
@@ -31,8 +31,8 @@ TEST_CASE("vertices and faces keep their order, and the maps tell where they wen
 TEST_CASE("a survivor may go later itself") {
   const IndexedMesh mesh = meshes::flat_grid(4);
   CollapsePlan plan;
-  plan.collapses.push_back({5, 6, 2, {1.5, 1, 0}});
-  plan.collapses.push_back({6, 10, 2, {2, 2, 0}});
+  plan.collapses.push_back({5, 6, 2, 0, {1.5, 1, 0}});
+  plan.collapses.push_back({6, 10, 2, 0, {2, 2, 0}});
   const auto out = execute(plan, mesh);
   CHECK(out.vertex_map[5] == out.vertex_map[10]);
   CHECK(out.vertex_map[6] == out.vertex_map[10]);

@@ -30,7 +30,9 @@ IndexedMesh torus() {
 
 TEST_CASE("all drivers of a planned module give the same surface") {
   const IndexedMesh mesh = torus();
-  for (const std::string spec : {"fad:angle=40", "ivdd:distance=0.9e"}) {
+  for (const std::string spec :
+       {"vt", "fad:angle=40", "ivdd:distance=0.9e", "ss:radius=0.9e", "vtd:distance=1.1e",
+        "fass:radius=0.9e,angle=30", "ss:radius=1e,passes=5", "fass:radius=0.8e,passes=3"}) {
     const Result bulk = run(mesh, make({spec}, Driver::bulk));
     CHECK(bulk.mesh.triangles.size() < mesh.triangles.size());
     CHECK(bulk.flipped_faces == 0);
@@ -91,15 +93,14 @@ TEST_CASE("every stock constraint runs with a planned and with a stock module") 
 TEST_CASE("a target without a threshold is met by search") {
   const IndexedMesh mesh = torus();
   const double faces = static_cast<double>(mesh.triangles.size());
-  for (const std::string spec : {"fad", "ivdd", "quadric"})
-    for (const double part : {0.8, 0.5, 0.2}) {
+  for (const std::string spec : {"vt", "fad", "ivdd", "ss", "vtd", "fass", "quadric"})
+    for (const double part : {0.7, 0.5, 0.2}) {
       INFO(spec << " to " << part);
       const Result result = run(mesh, make({spec}, Driver::automatic, ratio(part)));
       CHECK(result.target_reached);
       CHECK(double(result.mesh.triangles.size()) <= part * faces);
       CHECK(double(result.mesh.triangles.size()) >= part * faces * 0.99);
-      if (spec != "quadric")
-        CHECK_THAT(result.stages[0].module, Contains(spec == "fad" ? "angle=" : "distance="));
+      if (spec != "quadric" && spec != "vt") CHECK_THAT(result.stages[0].module, Contains(spec + ":"));
     }
   Target vertices;
   vertices.vertices = 700;

@@ -50,6 +50,25 @@ TEST_CASE("every key reaches its planner") {
   CHECK(fad("fad:guard=-1").guard.min_cos == -1);
   CHECK(ivdd("ivdd:placement=circumcenter").placement == VertexDistance::Placement::circumcenter);
   CHECK(ivdd("ivdd:guard=0.5").guard.min_cos == 0.5);
+  CHECK(ivdd("ivdd:boundary=merge").boundary == Boundary::merge);
+
+  const auto vt =
+      std::get<Circumcenter>(make_planner(parse_spec("vt:placement=circumcenter,guard=0.1"), kScale));
+  CHECK(vt.placement == Circumcenter::Placement::circumcenter);
+  CHECK(vt.guard.min_cos == 0.1);
+  const auto ss = std::get<SphereScan>(make_planner(parse_spec("ss:radius=2e,placement=quadric"), kScale));
+  CHECK(ss.radius == 1);
+  CHECK(ss.placement == SphereScan::Placement::quadric);
+  const auto vtd =
+      std::get<VertexTripletDistance>(make_planner(parse_spec("vtd:distance=1%,fold=literal"), kScale));
+  CHECK(vtd.max_distance == 0.2);
+  CHECK(vtd.fold == VertexTripletDistance::Fold::literal);
+  const auto fass =
+      std::get<Fass>(make_planner(parse_spec("fass:radius=1,angle=20,boundary=merge,guard=0"), kScale));
+  CHECK(std::get<FaceAngle>(fass.planners).max_normal_angle == 20);
+  CHECK(std::get<SphereScan>(fass.planners).radius == 1);
+  CHECK(std::get<FaceAngle>(fass.planners).boundary == Boundary::merge);
+  CHECK(std::get<SphereScan>(fass.planners).guard.min_cos == 0);
 }
 
 TEST_CASE("what means nothing is refused, and the message names it") {
@@ -60,7 +79,7 @@ TEST_CASE("what means nothing is refused, and the message names it") {
     CHECK_THROWS_WITH(parse_spec(text), Contains(culprit));
   };
   refused("", "unknown module ''");
-  refused("fda", "unknown module 'fda'; there are fad, ivdd");
+  refused("fda", "unknown module 'fda'; there are vt, fad, ivdd");
   refused("fad:angel=20", "unknown key 'angel'; there are angle");
   refused("independent-sets:a=1", "it has none");
   refused("fad:angle", "'angle' is not key=value");

@@ -1,0 +1,39 @@
+/// \file
+/// The edges of a triangle that a distance threshold lets fold.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "whittle/Surface.hh"
+
+namespace whittle {
+
+/// Which edges of a triangle are shorter than a threshold and join two vertices that may merge.
+struct ShortEdges {
+  int count = 0;
+  int shortest = -1;  ///< edge i goes from corner i to the next
+  bool is_short[3] = {};
+  double squared_length[3] = {};  ///< of all three
+
+  /// \param max_distance  times the lesser tolerance of the two ends.
+  /// \param taken         vertices that merge no more in this pass.
+  template <typename Real>
+  ShortEdges(const SurfaceT<Real>& surface, std::uint32_t face, double max_distance, Boundary boundary,
+             const std::vector<bool>& taken) {
+    const auto& t = surface.triangle(face);
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      squared_length[i] = (surface.point(b) - surface.point(a)).squaredNorm();
+      if (taken[a] || taken[b] || !surface.may_merge(a, b, boundary)) continue;
+      const double limit = max_distance * std::min(surface.tolerance(a), surface.tolerance(b));
+      if (!(squared_length[i] < limit * limit)) continue;
+      is_short[i] = true;
+      ++count;
+      if (shortest < 0 || squared_length[i] < squared_length[shortest]) shortest = i;
+    }
+  }
+};
+
+}  // namespace whittle
