@@ -72,7 +72,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
 
   /// How often the planner is run, each time on what the last one leaves; kUntilRest until nothing changes.
   /// All passes are one plan, and the flip guard judges all of them by the input's normals. From 1;
-  /// default 1. \throw InvalidParameter
+  /// default 1.
+  /// \throw InvalidParameter
   void set_passes(std::size_t passes) {
     if (passes == 0) throw InvalidParameter("the number of passes must be at least 1");
     passes_ = passes;
@@ -107,6 +108,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     for (std::size_t i = 0; i < plan_.collapses.size(); ++i)
       rank_[plan_.collapses[i].from] = static_cast<std::uint32_t>(i);
     executed_.assign(plan_.collapses.size(), false);
+    placed_by_.assign(indexed.points.size(), 0);
     n_planned_vertices_ = indexed.points.size();
   }
 
@@ -130,11 +132,16 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   void postprocess_collapse(const CollapseInfo& ci) override {
     const Collapse* collapse = planned(ci);
     if (!collapse) return;
-    executed_[rank_[collapse->from]] = true;
+    const std::uint32_t rank = rank_[collapse->from];
+    executed_[rank] = true;
     auto& mesh = this->mesh();
     if (collapse->share > 0) blend_vertex_attributes(mesh, ci.v0, ci.v1, collapse->share);
     corners_.after(mesh, ci.v1, collapse->share);
 
+    // A decimater that does not go by rank may come to a stage's collapse after those of a later stage.
+    std::uint32_t& placed_by = placed_by_[collapse->to];
+    if (rank < placed_by) return;
+    placed_by = rank;
     auto p = mesh.point(ci.v1);
     bool moved = false;
     for (int i = 0; i < 3; ++i) {
@@ -179,8 +186,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   void set_error_tolerance_factor(double factor) override {
+    const double before = this->error_tolerance_factor_;
     ModBase::set_error_tolerance_factor(factor);
-    n_planned_vertices_ = kNoPlan;
+    if (this->error_tolerance_factor_ != before) n_planned_vertices_ = kNoPlan;
   }
 
  protected:
@@ -223,8 +231,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   std::size_t passes_ = 1;
   OpenMesh::VPropHandleT<float> tolerance_;
   CollapsePlan plan_;
-  std::vector<std::uint32_t> rank_;  // of the collapse that removes a vertex
-  std::vector<bool> executed_;       // for each collapse of the plan
+  std::vector<std::uint32_t> rank_;       // of the collapse that removes a vertex
+  std::vector<bool> executed_;            // for each collapse of the plan
+  std::vector<std::uint32_t> placed_by_;  // for each survivor the highest rank that has moved it
   CornerAttributes<MeshT> corners_;
   std::size_t n_planned_vertices_ = kNoPlan;
 };
