@@ -15,11 +15,11 @@ struct SetDefinition {
   std::string recipe;       ///< a module specification, lengths in the units of Stanford's bunny
 };
 
-/// The sets of the paper in its order, the original first.
+/// The fourteen sets of Paper 1 in the order of its Figure 13, the original first.
 const std::vector<SetDefinition>& paper_sets();
 
 /// The sets of these names in the paper's order, and always the original, which the others are compared with.
-/// All sets where `names` is empty.
+/// All sets where `names` is empty or has "all" in it.
 /// \throw std::invalid_argument  there is no set of such a name; `what()` lists those there are.
 std::vector<SetDefinition> choose_sets(const std::vector<std::string>& names);
 

@@ -72,9 +72,11 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       ->check(CLI::Range(1, 1000000));
   app.add_option("--device", device, "EGL device number, or \"software\" (default: hardware if any works)");
   app.add_option("--out", out, "Folder for results.json, results.md and pictures")->capture_default_str();
-  app.add_option("--sets", sets, "Names of sets, apart by commas; the original is always one (default: all)")
+  app.add_option("--sets", sets,
+                 "Names of sets, apart by commas, or \"all\"; the original is always one (default: all)")
       ->delimiter(',')
       ->take_all();
+  app.add_flag("--pictures-only", line.pictures_only, "Take the pictures, time nothing, write no results");
   app.add_flag("--list-devices", line.list_devices, "List the EGL devices with their renderers, and exit");
   app.add_flag("--quiet", line.quiet, "No progress; errors and notes on the model still come");
   try {

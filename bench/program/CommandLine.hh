@@ -26,6 +26,7 @@ struct CommandLine {
   egl::DeviceChoice device;
   std::filesystem::path out = "results";
   std::vector<SetDefinition> sets;
+  bool pictures_only = false;
   bool list_devices = false;
   bool quiet = false;
   std::string answer;  ///< the text of --help or --version: print it and be done

@@ -62,7 +62,7 @@ void run(const bench::CommandLine& line) {
   const auto model = bench::load_model(line.model, WHITTLE_ASSET_CACHE, line.label);
   for (const auto& note : model.notes) std::cerr << "whittle-bench: " << note << "\n";
   std::filesystem::create_directories(line.out);
-  files::check_creatable(line.out / "results.json");
+  if (!line.pictures_only) files::check_creatable(line.out / "results.json");
 
   const render::Renderer renderer;
   const auto& settings = line.settings;
@@ -79,6 +79,11 @@ void run(const bench::CommandLine& line) {
                       render::encode_png(pictures.whole, caption));
     files::write_file(line.out / bench::ears_picture_name(definition),
                       render::encode_png(pictures.ears, caption + ", detail"));
+  }
+  if (line.pictures_only) {
+    progress.clear();
+    if (!line.quiet) std::cout << "pictures are in " << line.out.string() << "\n";
+    return;
   }
   bench::time_sets(renderer, views.whole, settings, sets, progress,
                    [] { return bench::interrupt_signal() != 0; });

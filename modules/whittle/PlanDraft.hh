@@ -6,7 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include "whittle/CollapsePlan.hh"
@@ -33,26 +34,21 @@ class PlanDraftT {
  public:
   using Point = typename IndexedMeshT<Real>::Point;
 
-  PlanDraftT(const SurfaceT<Real>& surface, FlipGuard guard)
-      : surface_(surface),
-        guard_(guard),
-        survivor_(surface.n_vertices()),
-        next_(surface.n_vertices()),
-        mark_(surface.n_vertices(), 0) {
-    std::iota(survivor_.begin(), survivor_.end(), 0u);
-    next_ = survivor_;
-    position_.reserve(surface.n_vertices());
-    for (std::uint32_t v = 0; v < surface.n_vertices(); ++v)
-      position_.push_back(surface.point(v).template cast<Real>());
+  PlanDraftT(const SurfaceT<Real>& surface, FlipGuard guard) : surface_(surface), guard_(guard) {
+    nodes_.reserve(surface.n_vertices());
+    for (std::uint32_t v = 0; v < surface.n_vertices(); ++v) {
+      const Point& p = surface.mesh().points[v];
+      nodes_.push_back({v, v, 0, p, p});
+    }
     plan_.stages.push_back(0);
   }
 
   /// What has become of a vertex; the vertex itself if it still stands.
-  std::uint32_t survivor(std::uint32_t v) const { return survivor_[v]; }
+  std::uint32_t survivor(std::uint32_t v) const { return nodes_[v].survivor; }
 
   /// Where a survivor lies.
   Eigen::Vector3d position(std::uint32_t survivor) const {
-    return position_[survivor].template cast<double>();
+    return nodes_[survivor].position.template cast<double>();
   }
 
   enum class Verdict { accepted, refused_by_link, refused_by_flip_guard };
@@ -60,7 +56,12 @@ class PlanDraftT {
   /// Merges `members` into the first of them, at `target`; all must be survivors and connected by edges to
   /// the first. Refused, nothing changes. The caller counts the refusal with `count_refusal`, for it may have
   /// another proposal for the same place.
-  Verdict merge(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target);
+  Verdict merge(std::initializer_list<std::uint32_t> members, const Eigen::Vector3d& target) {
+    return try_merge({members.begin(), members.size()}, target);
+  }
+  Verdict merge(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target) {
+    return try_merge({members.data(), members.size()}, target);
+  }
 
   void count_refusal(Verdict verdict) {
     if (verdict == Verdict::refused_by_link) ++plan_.record.refused_by_link;
@@ -71,6 +72,24 @@ class PlanDraftT {
   CollapsePlan take() { return std::move(plan_); }
 
  private:
+  /// The vertices of a cluster, the survivor first.
+  struct Members {
+    const std::uint32_t* first;
+    std::size_t count;
+    std::size_t size() const { return count; }
+    std::uint32_t operator[](std::size_t i) const { return first[i]; }
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return first + count; }
+  };
+
+  /// All that is asked of a vertex at once, so that a visit costs one cache line.
+  struct Node {
+    std::uint32_t survivor, next;  ///< what it has become; the next of its cluster, which is a circular list
+    std::uint32_t mark;
+    Point position;  ///< of a survivor, rounded as the mesh will hold it
+    Point original;
+  };
+
   /// Calls `visit(face, corners)` for the faces around a survivor that have not vanished, with the survivors
   /// of their corners.
   template <typename Visit>
@@ -80,58 +99,68 @@ class PlanDraftT {
       const auto [begin, end] = surface_.star(v);
       for (const std::uint32_t* f = begin; f != end; ++f) {
         const auto& t = surface_.triangle(*f);
-        const std::array<std::uint32_t, 3> c{survivor_[t[0]], survivor_[t[1]], survivor_[t[2]]};
+        const std::array<std::uint32_t, 3> c{nodes_[t[0]].survivor, nodes_[t[1]].survivor,
+                                             nodes_[t[2]].survivor};
         if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) visit(*f, c);
       }
-      v = next_[v];
+      v = nodes_[v].next;
     } while (v != survivor);
   }
 
   /// How many faces the collapse would remove; 0 where it is illegal.
   std::uint32_t legal_faces(std::uint32_t from, std::uint32_t to);
 
-  bool keeps_orientation(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target);
+  Verdict try_merge(Members members, const Eigen::Vector3d& target);
 
-  /// A stamp that no entry of `mark_` has.
+  bool keeps_orientation(Members members, const Eigen::Vector3d& target);
+
+  /// The normal that the guard compares a face with.
+  Eigen::Vector3d reference_normal(std::uint32_t face) const {
+    if (!surface_.extras().reference_normals.empty()) return surface_.reference_normal(face);
+    const auto& t = surface_.triangle(face);
+    const Eigen::Vector3d a = nodes_[t[0]].original.template cast<double>();
+    return (nodes_[t[1]].original.template cast<double>() - a)
+        .cross(nodes_[t[2]].original.template cast<double>() - a);
+  }
+
+  /// A stamp that no mark has.
   std::uint32_t new_stamp() {
     if (stamp_ == 0xffffffffu) {
-      std::fill(mark_.begin(), mark_.end(), 0u);
+      for (Node& node : nodes_) node.mark = 0;
       stamp_ = 0;
     }
     return ++stamp_;
   }
 
-  /// How much each member counts for the attributes at the target; they sum to 1.
-  std::vector<double> weights(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target) const;
+  /// Sets how much of the survivor's attributes comes from each member, in the collapses from `first` on. Two
+  /// members: by the target's place between them. Three: its barycentric coordinates. More: all alike.
+  void share_attributes(Members members, const Eigen::Vector3d& target, std::size_t first);
 
-  /// Moves the cluster of `from` over to `to`. The clusters are circular lists, so exchanging the links of
-  /// one vertex of each joins them, and exchanging them again parts them.
+  /// Moves the cluster of `from` over to `to`. Exchanging the links of one vertex of each list joins them,
+  /// and exchanging them again parts them.
   void join(std::uint32_t from, std::uint32_t to) {
     relabel(from, to);
-    std::swap(next_[from], next_[to]);
+    std::swap(nodes_[from].next, nodes_[to].next);
   }
   void part(std::uint32_t from, std::uint32_t to) {
-    std::swap(next_[from], next_[to]);
+    std::swap(nodes_[from].next, nodes_[to].next);
     relabel(from, from);
   }
   void relabel(std::uint32_t member, std::uint32_t survivor) {
     std::uint32_t v = member;
-    do survivor_[v] = survivor;
-    while ((v = next_[v]) != member);
+    do nodes_[v].survivor = survivor;
+    while ((v = nodes_[v].next) != member);
   }
 
   const SurfaceT<Real>& surface_;
   FlipGuard guard_;
-  std::vector<std::uint32_t> survivor_, next_;
-  std::vector<Point> position_;  // of survivors, rounded as the mesh will hold it
-  std::vector<std::uint32_t> mark_;
+  std::vector<Node> nodes_;
   std::uint32_t stamp_ = 0;
   CollapsePlan plan_;
 };
 
 template <typename Real>
-auto PlanDraftT<Real>::merge(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target)
-    -> Verdict {
+auto PlanDraftT<Real>::try_merge(Members members, const Eigen::Vector3d& target) -> Verdict {
   if (!keeps_orientation(members, target)) return Verdict::refused_by_flip_guard;
   const std::uint32_t to = members[0];
   const std::size_t first = plan_.collapses.size();
@@ -145,36 +174,33 @@ auto PlanDraftT<Real>::merge(const std::vector<std::uint32_t>& members, const Ei
     for (; plan_.collapses.size() > first; plan_.collapses.pop_back()) part(plan_.collapses.back().from, to);
     return Verdict::refused_by_link;
   }
-  const std::vector<double> weight = weights(members, target);
-  double sum = weight[0];
-  for (std::size_t i = 1; i < members.size(); ++i) {
-    sum += weight[i];
-    plan_.collapses[first + i - 1].share = sum > 0 ? static_cast<float>(weight[i] / sum) : 0.5f;
-  }
-  position_[to] = target.template cast<Real>();
+  share_attributes(members, target, first);
+  nodes_[to].position = target.template cast<Real>();
   ++plan_.record.planned;
   return Verdict::accepted;
 }
 
-/// Two members: by the target's place between them. Three: its barycentric coordinates. More: all alike.
 template <typename Real>
-std::vector<double> PlanDraftT<Real>::weights(const std::vector<std::uint32_t>& members,
-                                              const Eigen::Vector3d& target) const {
+void PlanDraftT<Real>::share_attributes(Members members, const Eigen::Vector3d& target, std::size_t first) {
+  const auto share = [&](std::size_t i) -> float& { return plan_.collapses[first + i - 1].share; };
   const auto at = [&](std::size_t i) { return position(members[i]); };
   if (members.size() == 2) {
     const Eigen::Vector3d edge = at(1) - at(0);
-    const double t = edge.squaredNorm() > 0 ? (target - at(0)).dot(edge) / edge.squaredNorm() : 0.5;
-    return {1 - std::clamp(t, 0.0, 1.0), std::clamp(t, 0.0, 1.0)};
+    const double squares = edge.squaredNorm();
+    share(1) =
+        squares > 0 ? static_cast<float>(std::clamp((target - at(0)).dot(edge) / squares, 0.0, 1.0)) : 0.5f;
+    return;
   }
-  if (members.size() == 3) {
-    const Eigen::Vector3d n = (at(1) - at(0)).cross(at(2) - at(0));
-    std::vector<double> area;
-    for (std::size_t i = 0; i < 3; ++i)
-      area.push_back(std::max(0.0, n.dot((at((i + 1) % 3) - target).cross(at((i + 2) % 3) - target))));
-    const double sum = area[0] + area[1] + area[2];
-    if (sum > 0) return {area[0] / sum, area[1] / sum, area[2] / sum};
-  }
-  return std::vector<double>(members.size(), 1.0 / static_cast<double>(members.size()));
+  for (std::size_t i = 1; i < members.size(); ++i) share(i) = 1 / static_cast<float>(i + 1);
+  if (members.size() != 3) return;
+  const Eigen::Vector3d n = (at(1) - at(0)).cross(at(2) - at(0));
+  const auto area = [&](std::size_t i) {  // of the part opposite member i
+    return std::max(0.0, n.dot((at((i + 1) % 3) - target).cross(at((i + 2) % 3) - target)));
+  };
+  const double a = area(0), b = area(1), c = area(2);
+  if (!(a + b + c > 0)) return;
+  share(1) = a + b > 0 ? static_cast<float>(b / (a + b)) : 0.5f;
+  share(2) = static_cast<float>(c / (a + b + c));
 }
 
 /// The link condition: the only common neighbours of the two ends are the vertices opposite the edge.
@@ -195,16 +221,16 @@ std::uint32_t PlanDraftT<Real>::legal_faces(std::uint32_t from, std::uint32_t to
   for_each_face(from, [&](std::uint32_t, const std::array<std::uint32_t, 3>& c) {
     for (const std::uint32_t v : c) {
       if (v == to) ++shared_faces;
-      if (v == from || mark_[v] == near_from) continue;
-      mark_[v] = near_from;
+      if (v == from || nodes_[v].mark == near_from) continue;
+      nodes_[v].mark = near_from;
       ++valence_from;
     }
   });
   for_each_face(to, [&](std::uint32_t, const std::array<std::uint32_t, 3>& c) {
     for (const std::uint32_t v : c) {
-      if (v == to || mark_[v] == near_both || mark_[v] == near_to) continue;
-      const bool both = mark_[v] == near_from;
-      mark_[v] = both ? near_both : near_to;
+      if (v == to || nodes_[v].mark == near_both || nodes_[v].mark == near_to) continue;
+      const bool both = nodes_[v].mark == near_from;
+      nodes_[v].mark = both ? near_both : near_to;
       common += both;
       ++valence_to;
     }
@@ -217,28 +243,26 @@ std::uint32_t PlanDraftT<Real>::legal_faces(std::uint32_t from, std::uint32_t to
 }
 
 template <typename Real>
-bool PlanDraftT<Real>::keeps_orientation(const std::vector<std::uint32_t>& members,
-                                         const Eigen::Vector3d& target) {
+bool PlanDraftT<Real>::keeps_orientation(Members members, const Eigen::Vector3d& target) {
   if (guard_.min_cos <= -1) return true;
   const Eigen::Vector3d rounded = target.template cast<Real>().template cast<double>();
   const std::uint32_t member = new_stamp();
-  for (const std::uint32_t m : members) mark_[m] = member;
+  for (const std::uint32_t m : members) nodes_[m].mark = member;
   bool keeps = true;
   for (const std::uint32_t m : members) {
     if (position(m) == rounded) continue;  // its faces stay as they are
     for_each_face(m, [&](std::uint32_t f, const std::array<std::uint32_t, 3>& c) {
       if (!keeps) return;
-      int inside = 0;
-      std::array<Eigen::Vector3d, 3> p;
-      for (int i = 0; i < 3; ++i) {
-        const bool moves = mark_[c[i]] == member;
-        inside += moves;
-        p[i] = moves ? rounded : position(c[i]);
-      }
-      if (inside > 1) return;  // the face vanishes
-      const Eigen::Vector3d before = surface_.reference_normal(f), after = (p[1] - p[0]).cross(p[2] - p[0]);
-      const double lengths = std::sqrt(before.squaredNorm() * after.squaredNorm());
-      if (before.squaredNorm() > 0 && !(before.dot(after) > guard_.min_cos * lengths)) keeps = false;
+      const bool moves[3] = {nodes_[c[0]].mark == member, nodes_[c[1]].mark == member,
+                             nodes_[c[2]].mark == member};
+      if (moves[0] + moves[1] + moves[2] > 1) return;  // the face vanishes
+      const Eigen::Vector3d a = moves[0] ? rounded : position(c[0]);
+      const Eigen::Vector3d after =
+          ((moves[1] ? rounded : position(c[1])) - a).cross((moves[2] ? rounded : position(c[2])) - a);
+      const Eigen::Vector3d before = reference_normal(f);
+      const double squares = before.squaredNorm();
+      if (squares > 0 && !(before.dot(after) > guard_.min_cos * std::sqrt(squares * after.squaredNorm())))
+        keeps = false;
     });
     if (!keeps) break;
   }

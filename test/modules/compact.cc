@@ -22,6 +22,7 @@ using RichMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 struct Decimated {
   explicit Decimated(const IndexedMesh& in, double distance = 0.2)
       : mesh(fixture::to_openmesh<RichMesh>(in)) {
+    mesh.update_normals();  // OpenMesh leaves attributes uninitialised
     mesh.add_property(vertex_was);
     mesh.add_property(halfedge_was);
     mesh.add_property(edge_was);

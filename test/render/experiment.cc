@@ -10,15 +10,30 @@ using namespace whittle;
 
 TEST_CASE("the original is always among the chosen sets, and they keep the paper's order") {
   const auto all = bench::choose_sets({});
-  CHECK(all.size() == bench::paper_sets().size());
+  CHECK(all.size() == 14);
   CHECK(all.front().recipe.empty());
+  CHECK(bench::choose_sets({"vt", "all"}).size() == 14);
 
-  const auto some = bench::choose_sets({"ivdd-0.0011", "fad-30"});
-  REQUIRE(some.size() == 3);
+  const auto some = bench::choose_sets({"fass-0.0014-150", "ivdd-0.0011", "fad-30"});
+  REQUIRE(some.size() == 4);
   CHECK(some[0].name == "original");
   CHECK(some[1].recipe == "fad:angle=30");
   CHECK(some[2].recipe == "ivdd:distance=0.0011");
+  CHECK(some[3].recipe == "fass:radius=0.0014,angle=150");
   CHECK(bench::choose_sets({"original"}).size() == 1);
+}
+
+TEST_CASE("the fourteen sets of the paper have names of their own, which say the recipe") {
+  for (const auto& set : bench::paper_sets()) {
+    INFO(set.name);
+    CHECK(bench::choose_sets({set.name}).back().name == set.name);
+    // "fass-0.0012-30": the module, then its values in order.
+    std::string values = set.recipe.substr(0, set.recipe.find(':'));
+    for (auto equals = set.recipe.find('='); equals != std::string::npos;
+         equals = set.recipe.find('=', equals + 1))
+      values += "-" + set.recipe.substr(equals + 1, set.recipe.find(',', equals) - equals - 1);
+    CHECK(values == (set.recipe.empty() ? "" : set.name));
+  }
 }
 
 TEST_CASE("an unknown set is an error that lists those there are") {

@@ -92,6 +92,18 @@ TEST_CASE("an option given twice counts as given last, and sets may be given in 
   CHECK(bench.files_in("r2").size() == 8);
 }
 
+TEST_CASE("pictures alone: no times, no results, and older results stay as they are") {
+  Bench bench;
+  fs::create_directories(bench.folder() / "r");
+  std::ofstream(bench.folder() / "r" / "results.json") << "older";
+  CHECK(bench.run("--model ball.obj --out r --pictures-only --sets vt") == 0);
+  CHECK(bench.files_in("r") == std::vector<std::string>{"original-ears.png", "original.png", "results.json",
+                                                        "vt-ears.png", "vt.png"});
+  CHECK(slurp(bench.folder() / "r" / "results.json") == "older");
+  CHECK(bench.out == "pictures are in r\n");
+  CHECK_THAT(bench.err, !Catch::Contains("repetition"));
+}
+
 TEST_CASE("quiet is quiet") {
   Bench bench;
   CHECK(bench.run(std::string(kShort) + "--sets original --quiet") == 0);

@@ -34,7 +34,7 @@ struct Example {
     environment.commit_dirty = true;
     environment.date_utc = "2024-01-02T03:04:05Z";
     sets[0].definition = bench::paper_sets()[0];
-    sets[1].definition = bench::paper_sets()[1];
+    sets[1].definition = bench::choose_sets({"fad-30"}).back();
     sets[0].facts.vertices = 500;
     sets[0].facts.faces = 1000;
     sets[1].facts.vertices = 375;
