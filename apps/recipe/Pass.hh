@@ -59,4 +59,9 @@ Pass bulk_pass(const IndexedMesh& mesh, const CollapsePlan& plan, const Floor& f
 Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const CollapsePlan* plan,
                    const Scale& scale, const Floor& floor);
 
+/// The Delaunay retriangulation of a mesh by edge flips. Faces that OpenMesh cannot take are counted in
+/// `refused_faces`.
+IndexedMesh retriangulate(const IndexedMesh& mesh, double max_dihedral, DelaunayFlipsReport& report,
+                          std::size_t& refused_faces);
+
 }  // namespace whittle::recipe

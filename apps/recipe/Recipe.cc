@@ -159,6 +159,8 @@ void check(const Recipe& recipe) {
   }
   if (recipe.target.ratio && !(*recipe.target.ratio > 0 && *recipe.target.ratio < 1))
     throw RecipeError("the ratio must lie between 0 and 1, both ends excluded");
+  if (recipe.delaunay && !(*recipe.delaunay >= 0 && *recipe.delaunay <= 180))
+    throw RecipeError("the angle of the Delaunay retriangulation must lie between 0 and 180 degrees");
 }
 
 Result run(const IndexedMesh& mesh, const Recipe& recipe) {
@@ -171,6 +173,8 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe) {
   result.flipped_faces = count_flips(mesh, sum.sum.mesh, sum.sum.face_origin);
   result.refused_faces = sum.sum.refused_faces;
   result.mesh = std::move(sum.sum.mesh);
+  if (recipe.delaunay)
+    result.mesh = retriangulate(result.mesh, *recipe.delaunay, result.delaunay, result.refused_faces);
   result.vertex_map = std::move(sum.sum.vertex_map);
   result.target_reached = !floor.any() || floor.reached(result.mesh);
   return result;

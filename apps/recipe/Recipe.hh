@@ -12,6 +12,7 @@
 
 #include "recipe/Spec.hh"
 #include "whittle/CollapsePlan.hh"
+#include "whittle/DelaunayFlips.hh"
 #include "whittle/IndexedMesh.hh"
 
 namespace whittle::recipe {
@@ -36,6 +37,9 @@ struct Recipe {
   std::vector<Spec> modules;  ///< in order; stock binary modules constrain the stage before them
   Target target;
   Driver driver = Driver::automatic;
+  /// Retriangulate the result by Delaunay flips of edges no sharper than so many degrees, 0..180 (Paper 1,
+  /// the end of every algorithm). Without a value: leave it.
+  std::optional<double> delaunay;
 };
 
 /// What one stage did.
@@ -55,7 +59,9 @@ struct Result {
   IndexedMesh mesh;
   std::vector<StageResult> stages;
   std::vector<std::uint32_t> vertex_map;  ///< for each input vertex the output vertex that it became
-  std::size_t flipped_faces = 0;  ///< faces turned by more than 90 degrees against their own original normal
+  DelaunayFlipsReport delaunay;           ///< of the retriangulation, if there was one
+  std::size_t flipped_faces = 0;  ///< faces turned by more than 90 degrees against their own original normal,
+                                  ///< before the retriangulation
   std::size_t refused_faces = 0;  ///< input faces that OpenMesh could not take (non-manifold), left out
   bool target_reached = true;     ///< false: no more legal collapses within the thresholds
 };
@@ -63,7 +69,7 @@ struct Result {
 /// Finds what `run` would object to, without a mesh.
 /// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a module, neither
 /// threshold
-///                     nor target, a ratio outside of (0, 1).
+///                     nor target, a ratio outside of (0, 1), an angle outside of [0, 180].
 void check(const Recipe& recipe);
 
 /// Runs a recipe. The input is not changed. A target without a threshold makes the stage search for the

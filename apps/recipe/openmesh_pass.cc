@@ -17,6 +17,7 @@
 
 #include "recipe/Pass.hh"
 #include "recipe/Stopwatch.hh"
+#include "whittle/DelaunayFlips.hh"
 #include "whittle/LazyDecimaterT.hh"
 #include "whittle/ModPlannedT.hh"
 #include "whittle/SweepDecimaterT.hh"
@@ -214,6 +215,20 @@ Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, c
   if (driver == Driver::lazy) return drive<LazyDecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
   if (driver == Driver::mc) return drive<om::McDecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
   return drive<om::DecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
+}
+
+IndexedMesh retriangulate(const IndexedMesh& mesh, double max_dihedral, DelaunayFlipsReport& report,
+                          std::size_t& refused_faces) {
+  const Silence silence;
+  Loaded loaded;
+  load(mesh, loaded);
+  refused_faces += loaded.refused_faces;
+  DelaunayFlips options;
+  options.max_dihedral = max_dihedral;
+  report = delaunay_flips(loaded.mesh, options);
+  Pass out;
+  unload(loaded, {}, out);
+  return std::move(out.mesh);
 }
 
 }  // namespace whittle::recipe

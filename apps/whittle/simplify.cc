@@ -14,7 +14,7 @@ namespace {
 struct Options {
   std::string in, out, json, driver = "auto";
   std::vector<std::string> modules;
-  std::optional<double> ratio;
+  std::optional<double> ratio, delaunay;
   std::optional<std::size_t> faces, vertices;
   bool ascii = false, quiet = false;
 };
@@ -24,6 +24,7 @@ recipe::Recipe make_recipe(const Options& options) {
   for (const std::string& text : options.modules) recipe.modules.push_back(recipe::parse_spec(text));
   recipe.target = {options.ratio, options.faces, options.vertices};
   recipe.driver = recipe::parse_driver(options.driver);
+  recipe.delaunay = options.delaunay;
   recipe::check(recipe);
   return recipe;
 }
@@ -35,6 +36,13 @@ Json describe(const Options& options, const files::MeshFile& in, const recipe::R
   if (options.ratio) target = {{"ratio", *options.ratio}};
   if (options.faces) target = {{"faces", *options.faces}};
   if (options.vertices) target = {{"vertices", *options.vertices}};
+  Json delaunay = nullptr;
+  if (options.delaunay)
+    delaunay = {{"max_dihedral_degrees", *options.delaunay},
+                {"edges_flipped", result.delaunay.flipped},
+                {"edges_refused_by_guard", result.delaunay.refused_by_guard},
+                {"edges_refused_by_topology", result.delaunay.refused_by_topology},
+                {"converged", result.delaunay.converged}};
   return {{"command", "simplify"},
           {"input",
            {{"file", options.in},
@@ -46,6 +54,7 @@ Json describe(const Options& options, const files::MeshFile& in, const recipe::R
             {"vertices", result.mesh.points.size()},
             {"faces", result.mesh.triangles.size()}}},
           {"stages", stages},
+          {"delaunay", delaunay},
           {"target", target},
           {"target_reached", result.target_reached},
           {"flipped_faces", result.flipped_faces},
@@ -107,6 +116,10 @@ Command add_simplify(CLI::App& app) {
   vertices->check(CLI::Range(std::size_t{1}, std::size_t{0xffffffff}));
   ratio->excludes(faces)->excludes(vertices);
   faces->excludes(vertices);
+  command
+      ->add_option("--delaunay", options->delaunay,
+                   "Retriangulate at the end, by flips of edges no sharper than DEGREES; 20 keeps the shape")
+      ->type_name("DEGREES");
   command->add_option("--driver", options->driver, "auto, bulk, sweep, lazy, decimater or mc")
       ->capture_default_str();
   command->add_option("--json", options->json, "Write what was done as JSON to a file, or to stdout for -");

@@ -31,7 +31,8 @@ struct PlanRecord {
 /// often.
 struct CollapsePlan {
   std::vector<Collapse> collapses;
-  std::vector<std::size_t> stages;  ///< where each stage begins in `collapses`; composites have more than one
+  std::vector<std::size_t>
+      stages;  ///< where each stage that did something begins in `collapses`; at least {0}
   PlanRecord record;
 };
 

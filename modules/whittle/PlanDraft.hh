@@ -235,11 +235,13 @@ std::uint32_t PlanDraftT<Real>::legal_faces(std::uint32_t from, std::uint32_t to
       ++valence_to;
     }
   });
-  const bool legal =
-      shared_faces == 2
-          ? common == 2 && !(from_boundary && to_boundary) && !(valence_from == 3 && valence_to == 3)
-          : shared_faces == 1 && common == 1 && !(valence_from == 2 && valence_to == 2);
-  return legal ? shared_faces : 0;
+  if (shared_faces == 2) {
+    const bool pinches = from_boundary && to_boundary;  // the boundary would touch itself
+    const bool tetrahedron = valence_from == 3 && valence_to == 3 && !to_boundary;  // two faces back to back
+    return common == 2 && !pinches && !tetrahedron ? 2 : 0;
+  }
+  const bool lone_triangle = valence_from == 2 && valence_to == 2;
+  return shared_faces == 1 && common == 1 && !lone_triangle ? 1 : 0;
 }
 
 template <typename Real>

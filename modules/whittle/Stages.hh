@@ -29,9 +29,8 @@ class StagesT {
   std::size_t add(const Planner& planner) {
     CollapsePlan stage = planner.plan(surface());
     const std::size_t before = plan_.collapses.size();
-    const std::size_t first_stage = plan_.stages.size();
-    for (const std::size_t begin : stage.stages) plan_.stages.push_back(before + begin);
-    if (before > 0 && stage.collapses.empty()) plan_.stages.resize(first_stage);
+    if (!stage.collapses.empty())
+      for (const std::size_t begin : stage.stages) plan_.stages.push_back(before + begin);
     for (Collapse collapse : stage.collapses) {
       faces_ -= collapse.faces;
       --vertices_;
@@ -50,7 +49,10 @@ class StagesT {
   std::size_t n_faces() const { return faces_; }        ///< that the plan so far leaves
   std::size_t n_vertices() const { return vertices_; }  ///< isolated ones included
 
-  CollapsePlan take() { return std::move(plan_); }
+  CollapsePlan take() {
+    if (plan_.stages.empty()) plan_.stages.push_back(0);
+    return std::move(plan_);
+  }
 
  private:
   std::uint32_t input_vertex(std::uint32_t v) const { return current_ ? vertex_[v] : v; }

@@ -7,11 +7,16 @@
 
 namespace whittle {
 
-/// Circumcentre: equally far from all three corners (Paper 1, III.I). Undefined for a degenerate triangle.
+/// Circumcentre: equally far from all three corners (Paper 1, III.I). A degenerate triangle has none; then
+/// the middle of its longest edge.
 inline Eigen::Vector3d circumcenter(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                     const Eigen::Vector3d& c) {
   const Eigen::Vector3d ab = b - a, ac = c - a, n = ab.cross(ac);
-  return a + (ac.squaredNorm() * n.cross(ab) + ab.squaredNorm() * ac.cross(n)) / (2 * n.squaredNorm());
+  const Eigen::Vector3d center =
+      a + (ac.squaredNorm() * n.cross(ab) + ab.squaredNorm() * ac.cross(n)) / (2 * n.squaredNorm());
+  if (center.allFinite()) return center;
+  const double la = (c - b).squaredNorm(), lb = ac.squaredNorm(), lc = ab.squaredNorm();
+  return la >= lb && la >= lc ? (b + c) / 2 : lb >= lc ? (a + c) / 2 : (a + b) / 2;
 }
 
 /// Centre of the smallest circle that encloses the triangle: the circumcentre where the triangle is acute,

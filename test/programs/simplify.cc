@@ -91,6 +91,17 @@ TEST_CASE("simplify gives the same file on every run and with every driver") {
   }
 }
 
+TEST_CASE("simplify can end with a Delaunay retriangulation") {
+  const Input in;
+  const auto done = simplify({in.path, in.folder / "out.ply", "--module", "fad", "--delaunay", "20", "--json",
+                              in.folder / "r.json"});
+  CHECK(done.code == 0);
+  const Json delaunay = Json::parse(programs::contents(in.folder / "r.json"))["delaunay"];
+  CHECK(delaunay["edges_flipped"].get<int>() > 0);
+  CHECK(delaunay["converged"] == true);
+  CHECK(measure::facts(files::read_mesh(in.folder / "out.ply").mesh).closed());
+}
+
 TEST_CASE("simplify may overwrite its input") {
   const Input in;
   CHECK(simplify({in.path, in.path, "--module", "fad"}).code == 0);
@@ -152,6 +163,7 @@ TEST_CASE("bad usage and bad input are exit 2 with one line that names the culpr
   refused({"simplify", in.path, out, "--module", "fad", "--vertices", "0"}, "--vertices");
   refused({"simplify", in.path, out, "--module", "fad", "--faces", "9", "--ratio", "0.5"}, "excludes");
   refused({"simplify", in.path, out, "--module", "fad", "--driver", "fast"}, "unknown driver 'fast'");
+  refused({"simplify", in.path, out, "--module", "fad", "--delaunay", "200"}, "between 0 and 180");
   refused({"simplify", in.path, out, "--module", "fad", "--color"}, "--color");
   refused({"simplify", in.folder / "none.ply", out, "--module", "fad"}, "none.ply");
   refused({"simplify", in.folder / "broken.obj", out, "--module", "fad"}, "broken.obj:3");

@@ -164,6 +164,22 @@ TEST_CASE("non-manifold faces are kept by bulk and counted by OpenMesh's drivers
   CHECK(sweep.refused_faces == 2);
 }
 
+TEST_CASE("the Delaunay retriangulation comes last and moves no vertex") {
+  const IndexedMesh mesh = torus();
+  Recipe recipe = make({"fad:angle=30"});
+  const Result before = run(mesh, recipe);
+  CHECK(before.delaunay.flipped == 0);
+  recipe.delaunay = 20;
+  const Result after = run(mesh, recipe);
+  CHECK(after.delaunay.flipped > 0);
+  CHECK(after.delaunay.converged);
+  CHECK(after.mesh.points == before.mesh.points);
+  CHECK(after.mesh.triangles.size() == before.mesh.triangles.size());
+  CHECK(meshes::nonmanifold_edges(after.mesh) == 0);
+  recipe.delaunay = 181;
+  CHECK_THROWS_WITH(check(recipe), Contains("between 0 and 180 degrees"));
+}
+
 TEST_CASE("a mesh without faces goes through unchanged") {
   IndexedMesh mesh;
   mesh.points.emplace_back(1, 2, 3);
