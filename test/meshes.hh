@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "whittle/CollapsePlan.hh"
 #include "whittle/IndexedMesh.hh"
 
 namespace meshes {
@@ -67,6 +68,48 @@ IndexedMesh grid(std::uint32_t n, Height height) {
 }
 inline IndexedMesh flat_grid(std::uint32_t n) {
   return grid(n, [](std::uint32_t, std::uint32_t) { return 0.0; });
+}
+
+/// A strip of two rows of `n` vertices, spacing 1, `width` apart: 0 to n - 1 below, the others above.
+inline IndexedMesh strip(std::uint32_t n, double width) {
+  IndexedMesh mesh;
+  for (int j = 0; j < 2; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) mesh.points.emplace_back(i, j * width, 0);
+  for (std::uint32_t i = 0; i + 1 < n; ++i) {
+    mesh.triangles.push_back({i, i + 1, n + i + 1});
+    mesh.triangles.push_back({i, n + i + 1, n + i});
+  }
+  return mesh;
+}
+
+/// Three unit squares around the corner 0 of a cube; 1, 2 and 3 lie on its edges, `near` away from it. Free
+/// are these four. Turning x to y to z maps the mesh onto itself.
+inline IndexedMesh cube_corner(double near) {
+  IndexedMesh mesh;
+  mesh.points = {{0, 0, 0}, {near, 0, 0}, {0, near, 0}, {0, 0, near}, {1, 0, 0},
+                 {0, 1, 0}, {0, 0, 1},    {1, 1, 0},    {0, 1, 1},    {1, 0, 1}};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const std::uint32_t j = (i + 1) % 3, a = 1 + i, b = 1 + j, far = 7 + i;
+    mesh.triangles.push_back({far, 4 + i, a});
+    mesh.triangles.push_back({far, a, 0});
+    mesh.triangles.push_back({far, 0, b});
+    mesh.triangles.push_back({far, b, 4 + j});
+  }
+  return mesh;
+}
+
+inline IndexedMesh lone_triangle() {
+  IndexedMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+/// `n` points in one place and no faces.
+inline IndexedMesh isolated_points(std::size_t n) {
+  IndexedMesh mesh;
+  mesh.points.assign(n, Point(1, 2, 3));
+  return mesh;
 }
 
 inline IndexedMesh tetrahedron() {
@@ -129,6 +172,14 @@ inline std::size_t nonmanifold_edges(const IndexedMesh& mesh) {
   for (const auto& t : mesh.triangles)
     for (int i = 0; i < 3; ++i) twice += !seen.emplace(t[i], t[(i + 1) % 3]).second;
   return twice;
+}
+
+/// The collapses of a plan in order: what vanishes, and into what.
+using Merges = std::vector<std::array<std::uint32_t, 2>>;
+inline Merges merges(const whittle::CollapsePlan& plan) {
+  Merges out;
+  for (const whittle::Collapse& c : plan.collapses) out.push_back({c.from, c.to});
+  return out;
 }
 
 /// Triangles as points, each rotated to begin with its least corner, sorted: equal for equal surfaces.

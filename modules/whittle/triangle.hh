@@ -12,7 +12,7 @@ namespace whittle {
 inline Eigen::Vector3d circumcenter(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                     const Eigen::Vector3d& c) {
   const Eigen::Vector3d ab = b - a, ac = c - a, n = ab.cross(ac);
-  const Eigen::Vector3d center =
+  Eigen::Vector3d center =
       a + (ac.squaredNorm() * n.cross(ab) + ab.squaredNorm() * ac.cross(n)) / (2 * n.squaredNorm());
   if (center.allFinite()) return center;
   const double la = (c - b).squaredNorm(), lb = ac.squaredNorm(), lc = ab.squaredNorm();

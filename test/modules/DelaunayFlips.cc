@@ -133,7 +133,7 @@ TEST_CASE("an edge flips where the angles opposite to it sum to more than 180 de
   CHECK(mesh.to_vertex_handle(mesh.halfedge_handle(kDiagonal, 1)).idx() == 3);
 }
 
-TEST_CASE("faces without area are flipped away where that makes none; boundary edges stay") {
+TEST_CASE("faces without area are flipped away where that makes none, boundary edges stay") {
   IndexedMesh in = diamond();
   in.points[2] = {0, 0, 0};  // an angle of 180 degrees
   CHECK(flips_of(in) == kFlip);

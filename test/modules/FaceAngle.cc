@@ -173,3 +173,68 @@ TEST_CASE("FAD refuses parameters that mean nothing") {
 TEST_CASE("FAD's threshold scales") {
   CHECK(at(30).scaled(0.5).max_normal_angle == 15);
 }
+
+TEST_CASE("FAD multiplies the angle by the tolerance of the vertex that goes, not of its ring") {
+  const IndexedMesh mesh = meshes::cone(6, 0.2);
+  const double angle = adjacent_angle(6, 0.2);
+  const auto gone = [&](double degrees, float tip, float ring) {
+    return removed(
+        at(degrees).plan(SurfaceT<double>(mesh, {{}, {tip, ring, ring, ring, ring, ring, ring}, {}})));
+  };
+  const std::vector<std::uint32_t> tip{0}, none;
+  CHECK(gone(180, 0, 1) == none);
+  CHECK(gone(angle / 2 + 1e-6, 2, 1) == tip);
+  CHECK(gone(angle / 2 - 1e-6, 2, 1) == none);
+  CHECK(gone(angle / 2 + 1e-6, 1, 2) == none);
+  CHECK(gone(2 * angle + 1e-5, 0.5, 1) == tip);
+  CHECK(gone(2 * angle - 1e-5, 0.5, 1) == none);
+  CHECK(gone(angle + 1e-6, 1, 0) == tip);
+  CHECK(gone(100, 1000, 1) == tip);  // 180 degrees is enough for anything
+}
+
+TEST_CASE("FAD removes a boundary vertex where the boundary is as flat as its faces, if it may") {
+  // Of the flat 3 x 3 grid, 4 is inside and 1, 3, 5, 7 lie within the sides.
+  const IndexedMesh mesh = meshes::flat_grid(3);
+  FaceAngle planner = at(1);
+  CHECK(removed(plan(planner, mesh)) == std::vector<std::uint32_t>{4});
+  planner.boundary = Boundary::merge;
+  const CollapsePlan result = plan(planner, mesh);
+  REQUIRE(removed(result) == std::vector<std::uint32_t>{1, 3});  // their rings keep all others
+  for (const Collapse& c : result.collapses) CHECK(c.faces == 1);
+  CHECK(result.collapses[0].to == 2);  // the better fan of the two, 2 5 4 and 2 4 0
+  CHECK(result.collapses[0].target == mesh.points[2]);
+}
+
+TEST_CASE("FAD bounds the turn of the boundary by the same angle") {
+  // The corner 0 turns by 90 degrees. Removed first, it keeps 1, 3 and 4.
+  FaceAngle planner = at(90 + 1e-9);
+  planner.boundary = Boundary::merge;
+  CHECK(removed(plan(planner, meshes::flat_grid(3))).front() == 0);
+  planner.max_normal_angle = 90 - 1e-6;
+  CHECK(removed(plan(planner, meshes::flat_grid(3))).front() == 1);
+}
+
+TEST_CASE("FAD starts the fan of a boundary vertex at a neighbour along the boundary") {
+  for (const auto apex : {FaceAngle::Apex::delaunay, FaceAngle::Apex::lexicographic}) {
+    IndexedMesh mesh = meshes::flat_grid(3);
+    mesh.points[5].x() = 9;  // the lexicographically largest of the ring of 1, but inside of its fan
+    FaceAngle planner = at(1);
+    planner.apex = apex;
+    planner.boundary = Boundary::merge;
+    const CollapsePlan result =
+        plan(planner, mesh, {kLocked, 0, kLocked, kLocked, kLocked, kLocked, kLocked, kLocked, kLocked});
+    REQUIRE(removed(result) == std::vector<std::uint32_t>{1});
+    CHECK(result.collapses[0].to == 2);
+    CHECK(result.record.fell_back == 0);
+  }
+}
+
+TEST_CASE("FAD leaves a mesh alone that has nothing to remove") {
+  for (const Boundary boundary : {Boundary::keep, Boundary::merge}) {
+    FaceAngle planner = at(180);
+    planner.boundary = boundary;
+    CHECK(plan(planner, {}).collapses.empty());
+    CHECK(plan(planner, meshes::lone_triangle()).collapses.empty());
+    CHECK(plan(planner, meshes::isolated_points(3)).collapses.empty());
+  }
+}

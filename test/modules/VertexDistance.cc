@@ -143,3 +143,95 @@ TEST_CASE("IVDD refuses parameters that mean nothing") {
 TEST_CASE("IVDD's threshold scales") {
   CHECK(below(0.5).scaled(0.5).max_distance == 0.25);
 }
+
+TEST_CASE("IVDD multiplies the distance by the lesser tolerance of two vertices") {
+  const auto merges = [](double distance, float a, float b) {
+    const IndexedMesh mesh = acute();
+    return meshes::merges(
+        below(distance).plan(SurfaceT<double>(mesh, {{}, {a, b, 0, 1, 1, 1, 1, 1, 1}, {}})));
+  };
+  const meshes::Merges one{{1, 0}};
+  CHECK(merges(10, 0, 1).empty());
+  CHECK(merges(10, 1, 0).empty());
+  CHECK(merges(0.101, 2, 2) == one);
+  CHECK(merges(0.099, 2, 2).empty());
+  CHECK(merges(0.101, 2, 1).empty());
+  CHECK(merges(0.101, 1, 2).empty());
+  CHECK(merges(0.399, 0.5, 1).empty());
+  CHECK(merges(0.401, 0.5, 9) == one);
+}
+
+TEST_CASE("IVDD's tolerances count for each edge of a triangle") {
+  // The tolerant edge 0 1 is short, those at 2 are not: no triangle, but an edge.
+  const IndexedMesh mesh = acute();
+  const auto merges = [&](float c) {
+    return meshes::merges(below(0.4).plan(SurfaceT<double>(mesh, {{}, {1, 1, c, 1, 1, 1, 1, 1, 1}, {}})));
+  };
+  CHECK(merges(1) == meshes::Merges{{1, 0}, {2, 0}});
+  CHECK(merges(0.75) == meshes::Merges{{1, 0}});
+}
+
+TEST_CASE("IVDD folds boundary edges to their midpoint where it may, and keeps them otherwise") {
+  const IndexedMesh mesh = meshes::flat_grid(3);
+  VertexDistance planner = below(1.1);
+  CHECK(plan(planner, mesh).collapses.empty());
+  planner.boundary = Boundary::merge;
+  const CollapsePlan folded = plan(planner, mesh);
+  REQUIRE(meshes::merges(folded) == meshes::Merges{{1, 0}, {5, 2}, {6, 7}});
+  CHECK(folded.collapses[0].target == Eigen::Vector3d(0.5, 0, 0));
+  CHECK(folded.collapses[1].target == Eigen::Vector3d(2, 0.5, 0));
+  CHECK(folded.collapses[2].target == Eigen::Vector3d(0.5, 2, 0));
+  for (const Collapse& c : folded.collapses) CHECK(c.faces == 1);
+}
+
+TEST_CASE("IVDD folds an edge of three boundary vertices, never the triangle") {
+  // The corner 6 of the 3 x 3 grid and its two neighbours 3 and 7; all others are locked.
+  IndexedMesh mesh = meshes::flat_grid(3);
+  REQUIRE(mesh.triangles[5] == IndexedMesh::Triangle{3, 7, 6});
+  mesh.triangles[5] = {6, 3, 7};
+  std::vector<std::uint8_t> flags(9, kLocked);
+  flags[3] = flags[6] = flags[7] = 0;
+  VertexDistance planner = below(1.5);
+  planner.boundary = Boundary::merge;
+  const CollapsePlan folded = plan(planner, mesh, flags);
+  REQUIRE(meshes::merges(folded) == meshes::Merges{{3, 6}});
+  CHECK(folded.collapses[0].target == Eigen::Vector3d(0, 1.5, 0));
+}
+
+TEST_CASE("IVDD folds no inner edge between boundary vertices, and none from inside to the boundary") {
+  VertexDistance planner = below(0.5);
+  planner.boundary = Boundary::merge;
+  for (const Collapse& c : plan(planner, meshes::strip(4, 0.25)).collapses) {
+    CHECK(c.faces == 1);
+    CHECK((c.to % 4 == 0 || c.to % 4 == 3));  // the rungs at the two ends
+  }
+  IndexedMesh cone = meshes::cone(6, 0);
+  cone.points[0] = {0.9, 0, 0};  // 0.1 from the boundary vertex 1
+  CHECK(plan(planner, cone).collapses.empty());
+}
+
+TEST_CASE("IVDD keeps a locked boundary vertex when the boundary may merge") {
+  VertexDistance planner = below(1.1);
+  planner.boundary = Boundary::merge;
+  const CollapsePlan folded = plan(planner, meshes::flat_grid(3), {kLocked, 0, 0, 0, 0, 0, 0, 0, 0});
+  for (const Collapse& c : folded.collapses) CHECK((c.from != 0 && c.to != 0));
+  CHECK(folded.collapses.size() == 3);
+}
+
+TEST_CASE("IVDD places no vertex at infinity, not even with the literal circumcentre and without the guard") {
+  VertexDistance planner = below(1);
+  planner.placement = VertexDistance::Placement::circumcenter;
+  planner.guard.min_cos = -1;
+  for (const Collapse& c : plan(planner, meshes::triangle_in_hexagon(kA, kA, kC, 1)).collapses)
+    CHECK(c.target.allFinite());
+}
+
+TEST_CASE("IVDD leaves a mesh alone that has nothing to fold") {
+  for (const Boundary boundary : {Boundary::keep, Boundary::merge}) {
+    VertexDistance planner = below(10);
+    planner.boundary = boundary;
+    CHECK(plan(planner, {}).collapses.empty());
+    CHECK(plan(planner, meshes::lone_triangle()).collapses.empty());
+    CHECK(plan(planner, meshes::isolated_points(3)).collapses.empty());
+  }
+}
