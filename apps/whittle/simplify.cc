@@ -108,12 +108,17 @@ Command add_simplify(CLI::App& app) {
       ->type_name("SPEC")
       ->take_all()
       ->expected(1);
-  auto* ratio =
-      command->add_option("--ratio", options->ratio, "Keep this part of the faces, between 0 and 1");
+  auto* ratio = command->add_option("--ratio", options->ratio, "Keep this part of the faces, between 0 and 1")
+                    ->type_name("R");
   auto* faces = command->add_option("--faces", options->faces, "Down to at most so many faces");
   auto* vertices = command->add_option("--vertices", options->vertices, "Down to at most so many vertices");
-  faces->check(CLI::Range(std::size_t{1}, std::size_t{0xffffffff}));
-  vertices->check(CLI::Range(std::size_t{1}, std::size_t{0xffffffff}));
+  const CLI::Validator count(
+      [](std::string& text) {
+        return text.empty() || text[0] == '-' || text == "0" ? "must be at least 1" : std::string();
+      },
+      "");
+  faces->check(count)->type_name("N");
+  vertices->check(count)->type_name("N");
   ratio->excludes(faces)->excludes(vertices);
   faces->excludes(vertices);
   command
