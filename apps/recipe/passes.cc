@@ -5,17 +5,6 @@
 #include <utility>
 
 namespace whittle::recipe {
-namespace {
-
-void add(PlanRecord& sum, const PlanRecord& record) {
-  sum.planned += record.planned;
-  sum.refused_by_flip_guard += record.refused_by_flip_guard;
-  sum.refused_by_link += record.refused_by_link;
-  sum.fell_back += record.fell_back;
-}
-
-}  // namespace
-
 void append(Pass& sum, Pass&& pass) {
   sum.mesh = std::move(pass.mesh);
   for (std::uint32_t& v : sum.vertex_map) v = pass.vertex_map[v];
@@ -27,7 +16,7 @@ void append(Pass& sum, Pass&& pass) {
   sum.refused_faces += pass.refused_faces;
   sum.plan_seconds += pass.plan_seconds;
   sum.execute_seconds += pass.execute_seconds;
-  add(sum.record, pass.record);
+  sum.record += pass.record;
 }
 
 Passes no_passes(const IndexedMesh& mesh) {

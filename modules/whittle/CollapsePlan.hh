@@ -24,6 +24,14 @@ struct PlanRecord {
   std::size_t refused_by_flip_guard = 0;  ///< clusters that would have turned a face over
   std::size_t refused_by_link = 0;        ///< clusters that would have broken the manifold (link condition)
   std::size_t fell_back = 0;  ///< clusters planned smaller than wanted because the whole was refused
+
+  PlanRecord& operator+=(const PlanRecord& other) {
+    planned += other.planned;
+    refused_by_flip_guard += other.refused_by_flip_guard;
+    refused_by_link += other.refused_by_link;
+    fell_back += other.fell_back;
+    return *this;
+  }
 };
 
 /// An ordered list of half-edge collapses. The place in the list is the rank: executors go through it in

@@ -38,10 +38,7 @@ class StagesT {
       collapse.to = input_vertex(collapse.to);
       plan_.collapses.push_back(collapse);
     }
-    plan_.record.planned += stage.record.planned;
-    plan_.record.refused_by_flip_guard += stage.record.refused_by_flip_guard;
-    plan_.record.refused_by_link += stage.record.refused_by_link;
-    plan_.record.fell_back += stage.record.fell_back;
+    plan_.record += stage.record;
     if (!stage.collapses.empty()) pending_ = std::move(stage);
     return plan_.collapses.size() - before;
   }

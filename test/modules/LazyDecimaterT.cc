@@ -79,12 +79,7 @@ TEST_CASE("the lazy decimater honours targets, selection and observers") {
   CHECK(decimater.decimate(7) == 7);
   CHECK(decimater.decimate_to(325) == 4);
   CHECK(decimater.decimate_to_faces(0, 640) == 5);
-  struct Stop : OpenMesh::Decimater::Observer {
-    Stop() : Observer(1) {}
-    void notify(size_t n) override { seen = n; }
-    bool abort() const override { return seen >= 3; }
-    std::size_t seen = 0;
-  } stop;
+  fixture::StopAfter stop(3);
   decimater.set_observer(&stop);
   CHECK(decimater.decimate() == 3);
 }

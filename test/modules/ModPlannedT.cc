@@ -140,12 +140,6 @@ TEST_CASE("another pass: initialize the module again, or collect the garbage") {
 }
 
 TEST_CASE("observers stop a module early, targets stop it in time") {
-  struct Stop : OpenMesh::Decimater::Observer {
-    Stop() : Observer(5) {}
-    void notify(size_t n) override { seen = n; }
-    bool abort() const override { return seen >= 10; }
-    std::size_t seen = 0;
-  };
   Mesh mesh = fixture::to_openmesh<Mesh>(meshes::torus(20, 12));
   OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
   ModVertexDistanceT<Mesh>::Handle ivdd;
@@ -153,7 +147,7 @@ TEST_CASE("observers stop a module early, targets stop it in time") {
   decimater.module(ivdd).set_max_distance(0.25);
   REQUIRE(decimater.initialize());
   SECTION("observer") {
-    Stop stop;
+    fixture::StopAfter stop(10, 5);
     decimater.set_observer(&stop);
     CHECK(decimater.decimate() == 10);
   }

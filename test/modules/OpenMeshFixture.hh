@@ -17,6 +17,14 @@ namespace fixture {
 
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
+/// An observer that calls a halt after so many collapses, looking every `interval`.
+struct StopAfter : OpenMesh::Decimater::Observer {
+  explicit StopAfter(std::size_t n, std::size_t interval = 1) : Observer(interval), limit(n) {}
+  void notify(std::size_t n) override { seen = n; }
+  bool abort() const override { return seen >= limit; }
+  std::size_t limit, seen = 0;
+};
+
 template <typename M, typename Real>
 M to_openmesh(const whittle::IndexedMeshT<Real>& in) {
   M mesh;

@@ -94,12 +94,7 @@ TEST_CASE("the sweep honours targets, selection, observers and constraints") {
     CHECK(done < planned);
   }
   SECTION("an observer that stops early") {
-    struct Stop : OpenMesh::Decimater::Observer {
-      Stop() : Observer(1) {}
-      void notify(size_t n) override { seen = n; }
-      bool abort() const override { return seen >= 3; }
-      std::size_t seen = 0;
-    } stop;
+    fixture::StopAfter stop(3);
     decimater.set_observer(&stop);
     REQUIRE(decimater.initialize());
     CHECK(decimater.decimate() == 3);
