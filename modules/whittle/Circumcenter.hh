@@ -38,7 +38,7 @@ template <typename Real>
 CollapsePlan Circumcenter::plan(const SurfaceT<Real>& surface) const {
   validate();
   PlanDraftT<Real> draft(surface, guard);
-  std::vector<bool> merged(surface.n_vertices(), false);
+  std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   const auto is_free = [&](std::uint32_t v) { return surface.is_free(v) && !merged[v]; };
 
   for (std::uint32_t f = 0; f < surface.n_faces(); ++f) {

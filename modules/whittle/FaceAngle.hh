@@ -69,13 +69,30 @@ struct FaceAngle {
   CollapsePlan plan(const SurfaceT<Real>& surface) const;
 
  private:
-  template <typename Real>
-  bool is_flat(const SurfaceT<Real>& surface, std::uint32_t v, const Ring& ring,
-               std::vector<Eigen::Vector3d>& normals) const;
+  /// A vertex and its ring as points, and the normals between them; kept from one vertex to the next.
+  struct Umbrella {
+    std::uint32_t vertex;
+    bool is_closed;
+    Eigen::Vector3d center;
+    std::vector<Eigen::Vector3d> spokes;  ///< from the centre to the ring
+    std::vector<Eigen::Vector3d> normals;
+    std::vector<double> squared_areas;  ///< of the normals, four times
+
+    template <typename Real>
+    void open(const SurfaceT<Real>& surface, std::uint32_t v);
+    double worst_triangle(std::size_t apex) const;
+  };
+  using RatedApex = std::pair<double, std::uint32_t>;
+
+  /// Of an angle in degrees. Rounding may take the cosine of two equal normals a few ulps below 1, hence the
+  /// allowance.
+  static double cosine(double degrees) { return std::cos(std::min(180.0, degrees) * (kPi / 180)) - 1e-12; }
+
+  bool is_flat(const Umbrella& umbrella, double min_cos) const;
 
   template <typename Real>
-  void order_apexes(const SurfaceT<Real>& surface, const Ring& ring,
-                    std::vector<std::pair<double, std::uint32_t>>& apexes) const;
+  void order_apexes(const SurfaceT<Real>& surface, const Umbrella& umbrella,
+                    std::vector<RatedApex>& apexes) const;
 };
 
 inline void FaceAngle::validate() const {
@@ -87,55 +104,79 @@ inline void FaceAngle::validate() const {
 }
 
 template <typename Real>
-bool FaceAngle::is_flat(const SurfaceT<Real>& surface, std::uint32_t v, const Ring& ring,
-                        std::vector<Eigen::Vector3d>& normals) const {
+void FaceAngle::Umbrella::open(const SurfaceT<Real>& surface, std::uint32_t v) {
+  const Ring ring = surface.ring(v);
+  vertex = v;
+  is_closed = ring.is_closed();
+  center = surface.point(v);
+  spokes.clear();
   normals.clear();
+  squared_areas.clear();
+  for (const std::uint32_t w : ring) spokes.push_back(surface.point(w) - center);
+  const std::size_t n = spokes.size();
+  for (std::size_t i = 0; i < ring.n_faces(); ++i) {
+    normals.push_back(spokes[i].cross(spokes[i + 1 < n ? i + 1 : 0]));
+    squared_areas.push_back(normals.back().squaredNorm());
+  }
+}
+
+inline bool FaceAngle::is_flat(const Umbrella& umbrella, double min_cos) const {
+  const auto& [vertex, is_closed, center, spokes, normals, squared_areas] = umbrella;
   double area = 0;
-  for (const std::uint32_t f : ring.faces) {
-    const Eigen::Vector3d n = surface.normal(f);
-    const double length = n.norm();
-    if (!(length > 0)) return false;  // a degenerate face has no angle to its neighbours
-    area += length / 2;
-    normals.push_back(n / length);
+  for (const double squared : squared_areas) {
+    if (!(squared > 0)) return false;  // a degenerate face has no angle to its neighbours
+    if (max_area < HUGE_VAL) area += std::sqrt(squared) / 2;
   }
   if (area > max_area) return false;
 
-  // Rounding may take the cosine of two equal unit normals a few ulps below 1, hence the allowance.
-  const double angle = std::min(180.0, max_normal_angle * surface.tolerance(v));
-  const double min_cos = std::cos(angle * (kPi / 180)) - 1e-12;
-  const bool closed = ring.shape == Ring::Shape::closed;
+  const double limit = min_cos * std::abs(min_cos);
   const std::size_t n = normals.size();
+  const auto is_within = [&](std::size_t i, std::size_t j) {
+    const double cosine = normals[i].dot(normals[j]);
+    return cosine * std::abs(cosine) >= limit * squared_areas[i] * squared_areas[j];
+  };
   int within = 0, angles = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t last = pairs == Pairs::all ? n - 1 : std::min(i + 1, n - 1);
-    for (std::size_t j = i + 1; j <= last; ++j, ++angles) within += normals[i].dot(normals[j]) >= min_cos;
+    for (std::size_t j = i + 1; j <= last; ++j, ++angles) within += is_within(i, j);
   }
-  if (pairs == Pairs::adjacent && closed) {
-    within += normals[n - 1].dot(normals[0]) >= min_cos;
+  if (pairs == Pairs::adjacent && is_closed) {
+    within += is_within(n - 1, 0);
     ++angles;
   }
-  if (!closed) {
-    const Eigen::Vector3d in = (surface.point(v) - surface.point(ring.vertices.front())).normalized();
-    const Eigen::Vector3d out = (surface.point(ring.vertices.back()) - surface.point(v)).normalized();
-    if (in.dot(out) < min_cos) return false;
-  }
+  if (!is_closed && (-spokes.front()).normalized().dot(spokes.back().normalized()) < min_cos) return false;
   return count == kAllAngles ? within == angles : within >= count;
 }
 
-template <typename Real>
-void FaceAngle::order_apexes(const SurfaceT<Real>& surface, const Ring& ring,
-                             std::vector<std::pair<double, std::uint32_t>>& apexes) const {
-  apexes.clear();
-  const std::size_t n = ring.vertices.size();
-  for (std::size_t a = 0; a < n; ++a) {
-    double worst = HUGE_VAL;
-    const Eigen::Vector3d p = surface.point(ring.vertices[a]);
-    for (std::size_t i = 1; i + 1 < n; ++i)  // the fan; of an open ring, only its ends have one
-      worst = std::min(worst, triangle_quality(p, surface.point(ring.vertices[(a + i) % n]),
-                                               surface.point(ring.vertices[(a + i + 1) % n])));
-    if (ring.shape == Ring::Shape::closed || a == 0 || a == n - 1)
-      apexes.emplace_back(worst, ring.vertices[a]);
+/// A measure of the worst triangle of the fan from a place in the ring: the square of `triangle_quality`, but
+/// for a factor.
+inline double FaceAngle::Umbrella::worst_triangle(std::size_t apex) const {
+  const std::size_t n = spokes.size();
+  double worst = HUGE_VAL;
+  const auto after = [&](std::size_t i) { return i + 1 < n ? i + 1 : 0; };
+  std::size_t left = after(apex);
+  Eigen::Vector3d to_left = spokes[left] - spokes[apex];
+  for (std::size_t right = after(left); right != apex; left = right, right = after(right)) {
+    const Eigen::Vector3d to_right = spokes[right] - spokes[apex];
+    const double squares =
+        to_left.squaredNorm() + to_right.squaredNorm() + (spokes[right] - spokes[left]).squaredNorm();
+    const double quality = squares > 0 ? to_left.cross(to_right).squaredNorm() / (squares * squares) : 0;
+    worst = std::min(worst, quality);
+    to_left = to_right;
   }
+  return worst;
+}
+
+/// Orders the places in the ring where the fan may start, best first.
+template <typename Real>
+void FaceAngle::order_apexes(const SurfaceT<Real>& surface, const Umbrella& umbrella,
+                             std::vector<RatedApex>& apexes) const {
+  apexes.clear();
+  const std::size_t n = umbrella.spokes.size();
+  const Ring ring = surface.ring(umbrella.vertex);
+  for (std::size_t i = 0; i < n; ++i)  // of an open ring, only the ends have a fan
+    if (umbrella.is_closed || i == 0 || i == n - 1)
+      apexes.emplace_back(apex == Apex::delaunay ? umbrella.worst_triangle(i) : 0, ring[i]);
   std::sort(apexes.begin(), apexes.end(), [&](const auto& l, const auto& r) {
     if (apex == Apex::delaunay) return l.first != r.first ? l.first > r.first : l.second < r.second;
     const Eigen::Vector3d p = surface.point(l.second), q = surface.point(r.second);
@@ -147,21 +188,22 @@ template <typename Real>
 CollapsePlan FaceAngle::plan(const SurfaceT<Real>& surface) const {
   validate();
   PlanDraftT<Real> draft(surface, guard);
-  RingWalk<Real> walk(surface);
-  std::vector<bool> kept(surface.n_vertices(), false);
-  std::vector<Eigen::Vector3d> normals;
-  std::vector<std::pair<double, std::uint32_t>> apexes;
+  std::vector<std::uint8_t> kept(surface.n_vertices(), false);
+  Umbrella umbrella;
+  std::vector<RatedApex> apexes;
   using Verdict = typename PlanDraftT<Real>::Verdict;
+  const auto is_kept = [&](std::uint32_t w) { return kept[w] != 0; };
+  const double min_cos = cosine(max_normal_angle);
 
   for (std::uint32_t v = 0; v < surface.n_vertices(); ++v) {
     if (kept[v] || !surface.is_free(v, boundary)) continue;
-    const Ring& ring = walk.around(v);
-    if (lock == Lock::strict &&
-        std::any_of(ring.vertices.begin(), ring.vertices.end(), [&](std::uint32_t w) { return kept[w]; }))
-      continue;
-    if (!is_flat(surface, v, ring, normals)) continue;
+    const Ring ring = surface.ring(v);
+    if (lock == Lock::strict && std::any_of(ring.begin(), ring.end(), is_kept)) continue;
+    umbrella.open(surface, v);
+    const double tolerance = surface.tolerance(v);
+    if (!is_flat(umbrella, tolerance == 1 ? min_cos : cosine(max_normal_angle * tolerance))) continue;
 
-    order_apexes(surface, ring, apexes);
+    order_apexes(surface, umbrella, apexes);
     Verdict verdict = Verdict::refused_by_link, first_verdict = verdict;
     for (std::size_t i = 0; i < apexes.size() && verdict != Verdict::accepted; ++i) {
       const std::uint32_t to = apexes[i].second;
@@ -173,7 +215,7 @@ CollapsePlan FaceAngle::plan(const SurfaceT<Real>& surface) const {
       continue;
     }
     if (first_verdict != Verdict::accepted) draft.count_fallback();
-    for (const std::uint32_t w : ring.vertices) kept[w] = true;
+    for (const std::uint32_t w : ring) kept[w] = true;
   }
   return draft.take();
 }

@@ -38,7 +38,7 @@ class PlanDraftT {
     nodes_.reserve(surface.n_vertices());
     for (std::uint32_t v = 0; v < surface.n_vertices(); ++v) {
       const Point& p = surface.mesh().points[v];
-      nodes_.push_back({v, v, 0, p, p});
+      nodes_.push_back({v, v, 0, p});
     }
     plan_.stages.push_back(0);
   }
@@ -87,24 +87,14 @@ class PlanDraftT {
     std::uint32_t survivor, next;  ///< what it has become; the next of its cluster, which is a circular list
     std::uint32_t mark;
     Point position;  ///< of a survivor, rounded as the mesh will hold it
-    Point original;
   };
 
-  /// Calls `visit(face, corners)` for the faces around a survivor that have not vanished, with the survivors
-  /// of their corners.
+  /// Calls `visit(v)` for the vertices that have become `survivor`, itself included.
   template <typename Visit>
-  void for_each_face(std::uint32_t survivor, Visit visit) const {
+  void for_each_member(std::uint32_t survivor, Visit visit) const {
     std::uint32_t v = survivor;
-    do {
-      const auto [begin, end] = surface_.star(v);
-      for (const std::uint32_t* f = begin; f != end; ++f) {
-        const auto& t = surface_.triangle(*f);
-        const std::array<std::uint32_t, 3> c{nodes_[t[0]].survivor, nodes_[t[1]].survivor,
-                                             nodes_[t[2]].survivor};
-        if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) visit(*f, c);
-      }
-      v = nodes_[v].next;
-    } while (v != survivor);
+    do visit(v);
+    while ((v = nodes_[v].next) != survivor);
   }
 
   /// How many faces the collapse would remove; 0 where it is illegal.
@@ -114,14 +104,11 @@ class PlanDraftT {
 
   bool keeps_orientation(Members members, const Eigen::Vector3d& target);
 
-  /// The normal that the guard compares a face with.
-  Eigen::Vector3d reference_normal(std::uint32_t face) const {
-    if (!surface_.extras().reference_normals.empty()) return surface_.reference_normal(face);
-    const auto& t = surface_.triangle(face);
-    const Eigen::Vector3d a = nodes_[t[0]].original.template cast<double>();
-    return (nodes_[t[1]].original.template cast<double>() - a)
-        .cross(nodes_[t[2]].original.template cast<double>() - a);
-  }
+  /// Whether the faces that were at `v` in the input keep to the guard when its survivor lies at `target`.
+  /// The vertices that are about to merge carry the mark `merging`.
+  bool keeps_orientation_around(std::uint32_t v, const Eigen::Vector3d& target, std::uint32_t merging) const;
+
+  static constexpr std::uint32_t kNone = 0xffffffffu;
 
   /// A stamp that no mark has.
   std::uint32_t new_stamp() {
@@ -218,16 +205,22 @@ std::uint32_t PlanDraftT<Real>::legal_faces(std::uint32_t from, std::uint32_t to
 
   const std::uint32_t near_from = new_stamp(), near_both = new_stamp(), near_to = new_stamp();
   std::uint32_t shared_faces = 0, common = 0, valence_from = 0, valence_to = 0;
-  for_each_face(from, [&](std::uint32_t, const std::array<std::uint32_t, 3>& c) {
-    for (const std::uint32_t v : c) {
-      if (v == to) ++shared_faces;
+  for_each_member(from, [&](std::uint32_t member) {
+    const Ring ring = surface_.ring(member);
+    if (ring.size() == 0) return;
+    std::uint32_t last = kNone;
+    for (std::size_t i = 0; i <= ring.n_faces(); ++i) {
+      const std::uint32_t v = survivor(ring[i]);
+      if (v != from && last != kNone && last != from && v != last) shared_faces += v == to || last == to;
+      last = v;
       if (v == from || nodes_[v].mark == near_from) continue;
       nodes_[v].mark = near_from;
       ++valence_from;
     }
   });
-  for_each_face(to, [&](std::uint32_t, const std::array<std::uint32_t, 3>& c) {
-    for (const std::uint32_t v : c) {
+  for_each_member(to, [&](std::uint32_t member) {
+    for (const std::uint32_t w : surface_.ring(member)) {
+      const std::uint32_t v = survivor(w);
       if (v == to || nodes_[v].mark == near_both || nodes_[v].mark == near_to) continue;
       const bool both = nodes_[v].mark == near_from;
       nodes_[v].mark = both ? near_both : near_to;
@@ -253,22 +246,40 @@ bool PlanDraftT<Real>::keeps_orientation(Members members, const Eigen::Vector3d&
   bool keeps = true;
   for (const std::uint32_t m : members) {
     if (position(m) == rounded) continue;  // its faces stay as they are
-    for_each_face(m, [&](std::uint32_t f, const std::array<std::uint32_t, 3>& c) {
-      if (!keeps) return;
-      const bool moves[3] = {nodes_[c[0]].mark == member, nodes_[c[1]].mark == member,
-                             nodes_[c[2]].mark == member};
-      if (moves[0] + moves[1] + moves[2] > 1) return;  // the face vanishes
-      const Eigen::Vector3d a = moves[0] ? rounded : position(c[0]);
-      const Eigen::Vector3d after =
-          ((moves[1] ? rounded : position(c[1])) - a).cross((moves[2] ? rounded : position(c[2])) - a);
-      const Eigen::Vector3d before = reference_normal(f);
-      const double squares = before.squaredNorm();
-      if (squares > 0 && !(before.dot(after) > guard_.min_cos * std::sqrt(squares * after.squaredNorm())))
-        keeps = false;
-    });
+    for_each_member(m,
+                    [&](std::uint32_t v) { keeps = keeps && keeps_orientation_around(v, rounded, member); });
     if (!keeps) break;
   }
   return keeps;
+}
+
+template <typename Real>
+bool PlanDraftT<Real>::keeps_orientation_around(std::uint32_t v, const Eigen::Vector3d& target,
+                                                std::uint32_t merging) const {
+  const Ring ring = surface_.ring(v);
+  if (ring.size() == 0) return true;
+  const bool given = surface_.has_reference_normals();
+  const Eigen::Vector3d center = surface_.point(v);
+  const double limit = guard_.min_cos * std::abs(guard_.min_cos);
+  Eigen::Vector3d last_old, last_new;
+  last_old.setZero();
+  last_new.setZero();
+  std::uint32_t last = kNone;  // none, or about to merge: its faces vanish
+  for (std::size_t i = 0; i <= ring.n_faces(); ++i) {
+    const std::uint32_t w = survivor(ring[i]);
+    const Eigen::Vector3d spoke_old = surface_.point(ring[i]) - center, spoke_new = position(w) - target;
+    const bool merges = nodes_[w].mark == merging;
+    if (!merges && last != kNone && last != w) {
+      const Eigen::Vector3d before = given ? surface_.reference_normal(v, i - 1) : last_old.cross(spoke_old);
+      const Eigen::Vector3d after = last_new.cross(spoke_new);
+      const double squares = before.squaredNorm(), cosine = before.dot(after);
+      if (squares > 0 && !(cosine * std::abs(cosine) > limit * squares * after.squaredNorm())) return false;
+    }
+    last = merges ? kNone : w;
+    last_old = spoke_old;
+    last_new = spoke_new;
+  }
+  return true;
 }
 
 }  // namespace whittle

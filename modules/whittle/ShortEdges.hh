@@ -15,23 +15,25 @@ struct ShortEdges {
   int count = 0;
   int shortest = -1;  ///< edge i goes from corner i to the next
   bool is_short[3] = {};
-  double squared_length[3] = {};  ///< of all three
 
   /// \param max_distance  times the lesser tolerance of the two ends.
   /// \param taken         vertices that merge no more in this pass.
   template <typename Real>
   ShortEdges(const SurfaceT<Real>& surface, std::uint32_t face, double max_distance, Boundary boundary,
-             const std::vector<bool>& taken) {
+             const std::vector<std::uint8_t>& taken) {
     const auto& t = surface.triangle(face);
+    double least = 0;
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-      squared_length[i] = (surface.point(b) - surface.point(a)).squaredNorm();
       if (taken[a] || taken[b] || !surface.may_merge(a, b, boundary)) continue;
+      const double squared_length = (surface.point(b) - surface.point(a)).squaredNorm();
       const double limit = max_distance * std::min(surface.tolerance(a), surface.tolerance(b));
-      if (!(squared_length[i] < limit * limit)) continue;
+      if (!(squared_length < limit * limit)) continue;
       is_short[i] = true;
       ++count;
-      if (shortest < 0 || squared_length[i] < squared_length[shortest]) shortest = i;
+      if (shortest >= 0 && squared_length >= least) continue;
+      shortest = i;
+      least = squared_length;
     }
   }
 };

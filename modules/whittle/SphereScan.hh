@@ -71,13 +71,14 @@ Eigen::Vector3d SphereScan::place(const SurfaceT<Real>& surface,
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   for (const std::uint32_t v : members) {
-    const auto [begin, end] = surface.star(v);
-    for (const std::uint32_t* f = begin; f != end; ++f) {
-      const Eigen::Vector3d n = surface.normal(*f);
+    const Ring ring = surface.ring(v);
+    const Eigen::Vector3d p = surface.point(v);
+    for (std::size_t i = 0; i < ring.n_faces(); ++i) {
+      const Eigen::Vector3d n = (surface.point(ring[i]) - p).cross(surface.point(ring[i + 1]) - p);
       const double length = n.norm();
       if (!(length > 0)) continue;
       A += n * n.transpose() / length;
-      b += n * (n.dot(surface.point(surface.triangle(*f)[0]) - center) / length);
+      b += n * (n.dot(p - center) / length);
     }
   }
   constexpr double kRegularisation = 1e-3;
@@ -92,8 +93,7 @@ template <typename Real>
 CollapsePlan SphereScan::plan(const SurfaceT<Real>& surface) const {
   validate();
   PlanDraftT<Real> draft(surface, guard);
-  RingWalk<Real> walk(surface);
-  std::vector<bool> merged(surface.n_vertices(), false);
+  std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   std::vector<std::uint32_t> members;
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
@@ -102,15 +102,14 @@ CollapsePlan SphereScan::plan(const SurfaceT<Real>& surface) const {
     members.assign(1, v);
     std::uint32_t nearest = v;
     double least = HUGE_VAL;
-    const Ring& ring = walk.around(v);
-    for (std::size_t i = 0; i < ring.vertices.size(); ++i) {
-      const std::uint32_t w = ring.vertices[i];
+    const Ring ring = surface.ring(v);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const std::uint32_t w = ring[i];
       if (merged[w] || !surface.may_merge(v, w, boundary)) continue;
-      if (surface.is_boundary(v) && i > 0 && i + 1 < ring.vertices.size())
-        continue;  // not along the boundary
+      if (surface.is_boundary(v) && i > 0 && i + 1 < ring.size()) continue;  // not along the boundary
       const double reach = radius * std::min(surface.tolerance(v), surface.tolerance(w));
-      const double distance = (surface.point(w) - surface.point(v)).norm();
-      if (!(distance < reach)) continue;
+      const double distance = (surface.point(w) - surface.point(v)).squaredNorm();
+      if (!(distance < reach * reach)) continue;
       members.push_back(w);
       if (distance < least) {
         least = distance;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "whittle/IndexedMesh.hh"
+#include "whittle/Rings.hh"
 #include "whittle/errors.hh"
 
 namespace whittle {
@@ -41,13 +42,6 @@ struct SurfaceExtras {
   std::vector<Eigen::Vector3d> reference_normals;
 };
 
-/// The faces of one vertex in order around it, as `RingWalk` finds them.
-struct Ring {
-  std::vector<std::uint32_t> faces;     ///< counter-clockwise
-  std::vector<std::uint32_t> vertices;  ///< `vertices[i]`, `vertices[i + 1]` and the centre make `faces[i]`
-  enum class Shape { closed, open, complex, empty } shape = Shape::empty;
-};
-
 /// A read-only view of an indexed mesh with the adjacency that planners need. The mesh must outlive it.
 ///
 /// \tparam Real  precision of the points; all arithmetic on them is done in double.
@@ -56,11 +50,12 @@ class SurfaceT {
  public:
   using Triangle = typename IndexedMeshT<Real>::Triangle;
 
-  /// \param mesh   every index must be in range.
+  /// \param mesh       every index must be in range.
+  /// \param n_threads  for the build of the rings; the surface is the same for any number.
   /// \throw InvalidMesh  an index out of range, a coordinate that is not finite.
   /// \throw InvalidParameter  extras of another size than the mesh, a tolerance that is negative or not
   /// finite.
-  explicit SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras = {});
+  explicit SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras = {}, std::size_t n_threads = 1);
 
   const IndexedMeshT<Real>& mesh() const { return mesh_; }
   const SurfaceExtras& extras() const { return extras_; }
@@ -88,9 +83,13 @@ class SurfaceT {
     return extras_.tolerance.empty() ? 1 : double(extras_.tolerance[v]);
   }
 
-  /// The faces around `v` in index order, as a pair of pointers.
-  std::pair<const std::uint32_t*, const std::uint32_t*> star(std::uint32_t v) const {
-    return {faces_.data() + first_[v], faces_.data() + first_[v + 1]};
+  /// The neighbours of `v` in order; none where it is complex or isolated.
+  Ring ring(std::uint32_t v) const { return rings_[v]; }
+
+  /// The normal that the flip guard judges the i-th face of a ring by.
+  bool has_reference_normals() const { return !extras_.reference_normals.empty(); }
+  const Eigen::Vector3d& reference_normal(std::uint32_t v, std::size_t i) const {
+    return extras_.reference_normals[rings_.face(v, i)];
   }
 
   std::uint8_t flags(std::uint32_t v) const { return extras_.flags[v]; }
@@ -105,137 +104,57 @@ class SurfaceT {
   bool is_complex(std::uint32_t v) const { return (flags(v) & kComplex) != 0; }
 
  private:
-  void collect_stars();
+  static SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras);
 
   const IndexedMeshT<Real>& mesh_;
-  std::vector<std::uint32_t> first_, faces_;  // star of v: faces_[first_[v]] .. faces_[first_[v + 1]]
   SurfaceExtras extras_;
-};
-
-/// Orders the faces around vertices. Time is linear in the valence; keeps one scratch array for all vertices.
-template <typename Real>
-class RingWalk {
- public:
-  explicit RingWalk(const SurfaceT<Real>& surface) : surface_(surface), slot_(surface.n_vertices(), 0) {}
-
-  /// The ring of `v`; valid until the next call.
-  const Ring& around(std::uint32_t v);
-
- private:
-  struct Spoke {
-    std::uint32_t face, next, previous;  // the corners after and before v in the face
-    bool arrived;                        // another face arrives by the edge to `next`
-  };
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
-  /// The spoke that begins at a neighbour. `slot_` is never cleared: a stale entry fails the comparison.
-  std::uint32_t spoke_at(std::uint32_t neighbour) const {
-    const std::uint32_t i = slot_[neighbour];
-    return i < spokes_.size() && spokes_[i].next == neighbour ? i : kNone;
-  }
-
-  const SurfaceT<Real>& surface_;
-  std::vector<std::uint32_t> slot_;
-  std::vector<Spoke> spokes_;
-  Ring ring_;
+  Rings rings_;
 };
 
 template <typename Real>
-const Ring& RingWalk<Real>::around(std::uint32_t v) {
-  ring_.faces.clear();
-  ring_.vertices.clear();
-  ring_.shape = Ring::Shape::empty;
-  spokes_.clear();
-  const auto [begin, end] = surface_.star(v);
-  if (begin == end) return ring_;
-
-  ring_.shape = Ring::Shape::complex;
-  for (const std::uint32_t* f = begin; f != end; ++f) {
-    const auto& t = surface_.triangle(*f);
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return ring_;
-    const int i = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-    const std::uint32_t next = t[(i + 1) % 3];
-    if (spoke_at(next) != kNone) return ring_;  // two faces leave by the same edge
-    slot_[next] = static_cast<std::uint32_t>(spokes_.size());
-    spokes_.push_back({*f, next, t[(i + 2) % 3], false});
+SurfaceExtras SurfaceT<Real>::checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
+  const std::size_t n_vertices = mesh.points.size(), n_faces = mesh.triangles.size();
+  const auto fits = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
+  if (!fits(extras.flags.size(), n_vertices) || !fits(extras.tolerance.size(), n_vertices) ||
+      !fits(extras.reference_normals.size(), n_faces))
+    throw InvalidParameter("flags, tolerances or normals do not have the size of the mesh");
+  extras.flags.resize(n_vertices, 0);
+  for (std::size_t v = 0; v < n_vertices; ++v)
+    if (!mesh.points[v].allFinite())
+      throw InvalidMesh("vertex " + std::to_string(v) + " has a coordinate that is not finite");
+  for (std::size_t v = 0; v < extras.tolerance.size(); ++v) {
+    const float tolerance = extras.tolerance[v];
+    if (!(tolerance >= 0 && std::isfinite(tolerance)))
+      throw InvalidParameter("vertex " + std::to_string(v) +
+                             " has a tolerance that is negative or not finite");
+    if (tolerance == 0) extras.flags[v] |= kLocked;
   }
-
-  // An open fan starts at the one neighbour that no face arrives at.
-  std::uint32_t arrivals = 0;
-  for (const Spoke& spoke : spokes_) {
-    const std::uint32_t i = spoke_at(spoke.previous);
-    if (i == kNone) continue;
-    if (spokes_[i].arrived) return ring_;  // two faces arrive by the same edge
-    spokes_[i].arrived = true;
-    ++arrivals;
-  }
-  const std::uint32_t n = static_cast<std::uint32_t>(spokes_.size());
-  if (arrivals + 1 < n) return ring_;  // more than one open fan
-  const bool open = arrivals < n;
-  std::uint32_t start = 0;
-  while (open && spokes_[start].arrived) ++start;
-
-  std::uint32_t at = start;
-  do {
-    ring_.faces.push_back(spokes_[at].face);
-    ring_.vertices.push_back(spokes_[at].next);
-    const std::uint32_t previous = spokes_[at].previous;
-    at = spoke_at(previous);
-    if (at == kNone) ring_.vertices.push_back(previous);
-  } while (at != kNone && at != start);
-  if (ring_.faces.size() == n) ring_.shape = open ? Ring::Shape::open : Ring::Shape::closed;
-  return ring_;
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= n_vertices)
+        throw InvalidMesh("a triangle names vertex " + std::to_string(v) + " of " +
+                          std::to_string(n_vertices));
+  return extras;
 }
 
 template <typename Real>
-SurfaceT<Real>::SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras)
-    : mesh_(mesh), extras_(std::move(extras)) {
-  const auto fits = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
-  if (!fits(extras_.flags.size(), n_vertices()) || !fits(extras_.tolerance.size(), n_vertices()) ||
-      !fits(extras_.reference_normals.size(), n_faces()))
-    throw InvalidParameter("flags, tolerances or normals do not have the size of the mesh");
-  extras_.flags.resize(mesh.points.size(), 0);
-  for (std::uint32_t v = 0; v < n_vertices(); ++v) {
-    if (!mesh.points[v].allFinite())
-      throw InvalidMesh("vertex " + std::to_string(v) + " has a coordinate that is not finite");
-    if (!(tolerance(v) >= 0 && std::isfinite(tolerance(v))))
-      throw InvalidParameter("vertex " + std::to_string(v) +
-                             " has a tolerance that is negative or not finite");
-    if (tolerance(v) == 0) extras_.flags[v] |= kLocked;
-  }
-  collect_stars();
-
-  RingWalk<Real> walk(*this);
-  for (std::uint32_t v = 0; v < n_vertices(); ++v) switch (walk.around(v).shape) {
-      case Ring::Shape::closed:
+SurfaceT<Real>::SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras, std::size_t n_threads)
+    : mesh_(mesh),
+      extras_(checked(mesh, std::move(extras))),
+      rings_(mesh.triangles, mesh.points.size(), has_reference_normals(), n_threads) {
+  for (std::uint32_t v = 0; v < n_vertices(); ++v) switch (rings_.shape(v)) {
+      case RingShape::closed:
         break;
-      case Ring::Shape::open:
+      case RingShape::open:
         extras_.flags[v] |= kBoundary;
         break;
-      case Ring::Shape::complex:
+      case RingShape::complex:
         extras_.flags[v] |= kComplex;
         break;
-      case Ring::Shape::empty:
+      case RingShape::empty:
         extras_.flags[v] |= kIsolated;
         break;
     }
-}
-
-template <typename Real>
-void SurfaceT<Real>::collect_stars() {
-  first_.assign(mesh_.points.size() + 1, 0);
-  for (const Triangle& t : mesh_.triangles)
-    for (const std::uint32_t v : t) {
-      if (v >= n_vertices())
-        throw InvalidMesh("a triangle names vertex " + std::to_string(v) + " of " +
-                          std::to_string(n_vertices()));
-      ++first_[v + 1];
-    }
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  faces_.resize(3 * mesh_.triangles.size());
-  std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
-  for (std::uint32_t f = 0; f < n_faces(); ++f)
-    for (const std::uint32_t v : mesh_.triangles[f]) faces_[fill[v]++] = f;
 }
 
 }  // namespace whittle

@@ -53,7 +53,7 @@ template <typename Real>
 CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
   validate();
   PlanDraftT<Real> draft(surface, guard);
-  std::vector<bool> folded(surface.n_vertices(), false);
+  std::vector<std::uint8_t> folded(surface.n_vertices(), false);
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
   for (std::uint32_t f = 0; f < surface.n_faces(); ++f) {

@@ -50,7 +50,8 @@ struct VertexTripletDistance {
 
  private:
   /// The edge to fold, from corner i to the next.
-  int choose(const ShortEdges& edges) const;
+  template <typename Real>
+  int choose(const SurfaceT<Real>& surface, std::uint32_t face, const ShortEdges& edges) const;
 };
 
 inline void VertexTripletDistance::validate() const {
@@ -59,19 +60,24 @@ inline void VertexTripletDistance::validate() const {
   guard.validate();
 }
 
-inline int VertexTripletDistance::choose(const ShortEdges& edges) const {
+template <typename Real>
+int VertexTripletDistance::choose(const SurfaceT<Real>& surface, std::uint32_t face,
+                                  const ShortEdges& edges) const {
   if (fold == Fold::shortest) return edges.shortest;
   // The paper asks for d12, then d13, then d23; here these are the edges 0, 2 and 1.
   const int first = edges.is_short[0] ? 0 : edges.is_short[2] ? 2 : 1;
   const int next = (first + 1) % 3, previous = (first + 2) % 3;
-  return edges.squared_length[previous] >= edges.squared_length[next] ? previous : next;
+  const auto& t = surface.triangle(face);
+  const Eigen::Vector3d p = surface.point(t[previous]);  // the corner that both of them have
+  const double to_next = (p - surface.point(t[next])).squaredNorm();
+  return (p - surface.point(t[first])).squaredNorm() >= to_next ? previous : next;
 }
 
 template <typename Real>
 CollapsePlan VertexTripletDistance::plan(const SurfaceT<Real>& surface) const {
   validate();
   PlanDraftT<Real> draft(surface, guard);
-  std::vector<bool> merged(surface.n_vertices(), false);
+  std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
   for (std::uint32_t f = 0; f < surface.n_faces(); ++f) {
@@ -91,7 +97,7 @@ CollapsePlan VertexTripletDistance::plan(const SurfaceT<Real>& surface) const {
       }
       edge = edges.shortest;
     } else {
-      edge = choose(edges);
+      edge = choose(surface, f, edges);
     }
     const std::uint32_t a = t[edge], b = t[(edge + 1) % 3];
     if (merged[a] || merged[b] || !surface.may_merge(a, b, boundary))

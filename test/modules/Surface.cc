@@ -66,29 +66,6 @@ TEST_CASE("what is not one fan is complex") {
   }
 }
 
-TEST_CASE("the ring goes counter-clockwise and pairs faces with vertices") {
-  const IndexedMesh mesh = meshes::grid(3, [](std::uint32_t, std::uint32_t) { return 0.0; });
-  const Surface surface(mesh);
-  RingWalk<double> walk(surface);
-
-  const Ring closed = walk.around(4);
-  REQUIRE(closed.shape == Ring::Shape::closed);
-  REQUIRE(closed.vertices.size() == 6);
-  for (std::size_t i = 0; i < 6; ++i) {
-    const auto& t = mesh.triangles[closed.faces[i]];
-    CHECK(std::set<std::uint32_t>(t.begin(), t.end()) ==
-          std::set<std::uint32_t>{4, closed.vertices[i], closed.vertices[(i + 1) % 6]});
-    const auto a = mesh.points[closed.vertices[i]] - mesh.points[4];
-    const auto b = mesh.points[closed.vertices[(i + 1) % 6]] - mesh.points[4];
-    CHECK(a.cross(b).z() > 0);
-  }
-
-  const Ring open = walk.around(1);
-  CHECK(open.shape == Ring::Shape::open);
-  CHECK(open.vertices == std::vector<std::uint32_t>{2, 5, 4, 0});
-  CHECK(open.faces.size() == 3);
-}
-
 TEST_CASE("the user's flags are kept beside the mesh's") {
   const IndexedMesh mesh = meshes::cone(6, 0.1);
   std::vector<std::uint8_t> flags(7, 0);

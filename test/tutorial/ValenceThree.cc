@@ -30,12 +30,11 @@ struct ValenceThree {
   whittle::CollapsePlan plan(const whittle::SurfaceT<Real>& surface) const {
     validate();
     whittle::PlanDraftT<Real> draft(surface, guard);
-    whittle::RingWalk<Real> walk(surface);
     std::vector<bool> kept(surface.n_vertices(), false);
 
     for (std::uint32_t v = 0; v < surface.n_vertices(); ++v) {
       if (kept[v] || !surface.is_free(v)) continue;
-      const std::vector<std::uint32_t>& ring = walk.around(v).vertices;
+      const whittle::Ring ring = surface.ring(v);
       if (ring.size() != 3) continue;
       const Eigen::Vector3d a = surface.point(ring[0]), b = surface.point(ring[1]),
                             c = surface.point(ring[2]);
