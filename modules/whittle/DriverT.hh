@@ -5,6 +5,8 @@
 #include <OpenMesh/Tools/Decimater/BaseDecimaterT.hh>
 #include <cstddef>
 
+#include "whittle/HalfedgeCollapse.hh"
+
 namespace whittle {
 
 /// A decimater with the interface of OpenMesh's DecimaterT. A driver decides in `run` which collapse comes
@@ -18,7 +20,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   using VertexHandle = typename Mesh::VertexHandle;
   using HalfedgeHandle = typename Mesh::HalfedgeHandle;
 
-  explicit DriverT(Mesh& mesh) : Base(mesh), mesh_(mesh) {}
+  explicit DriverT(Mesh& mesh) : Base(mesh), mesh_(mesh), connectivity_(mesh) {}
 
   /// Executes up to `n_collapses` collapses, all that are allowed for 0.
   /// \return how many were executed.
@@ -52,7 +54,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     --vertices_;
     faces_ -= (ci.fl.is_valid() ? 1u : 0u) + (ci.fr.is_valid() ? 1u : 0u);
     this->preprocess_collapse(ci);
-    mesh_.collapse(ci.v0v1);
+    connectivity_.collapse(ci.v0v1);
     if (mesh_.has_face_normals())
       for (auto f = mesh_.cvf_iter(ci.v1); f.is_valid(); ++f)
         mesh_.set_normal(*f, mesh_.calc_face_normal(*f));
@@ -61,6 +63,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   }
 
   Mesh& mesh_;
+  HalfedgeCollapseT<Mesh> connectivity_;
 
  private:
   static constexpr std::size_t kNoLimit = ~std::size_t{0};

@@ -62,8 +62,8 @@ void LazyDecimaterT<MeshT>::judge(VertexHandle v, bool only_legal) {
   candidate.queued = candidate.marked = false;
   float best = FLT_MAX;
   for (auto h = this->mesh_.cvoh_iter(v); h.is_valid(); ++h) {
+    if (only_legal && !this->connectivity_.is_legal(*h)) continue;
     const CollapseInfo ci(this->mesh_, *h);
-    if (only_legal && !this->is_collapse_legal(ci)) continue;
     const float priority = this->collapse_priority(ci);
     if (priority < 0 || priority >= best) continue;
     best = priority;
@@ -99,11 +99,11 @@ void LazyDecimaterT<MeshT>::run(bool only_selected) {
       judge(v0, false);
       continue;
     }
-    CollapseInfo ci(mesh, candidate.collapse);
-    if (!this->is_collapse_legal(ci)) {
+    if (!this->connectivity_.is_legal(candidate.collapse)) {
       judge(v0, true);
       continue;
     }
+    CollapseInfo ci(mesh, candidate.collapse);
     this->execute(ci);
     mark(ci.v1);
     for (auto v = mesh.cvv_iter(ci.v1); v.is_valid(); ++v) mark(*v);

@@ -70,11 +70,11 @@ class SweepDecimaterT : public DriverT<MeshT> {
 
  private:
   bool try_execute(const Collapse& collapse) {
-    const auto edge = this->mesh_.find_halfedge(VertexHandle(static_cast<int>(collapse.from)),
-                                                VertexHandle(static_cast<int>(collapse.to)));
-    if (!edge.is_valid()) return false;
+    const auto edge = this->connectivity_.find(VertexHandle(static_cast<int>(collapse.from)),
+                                               VertexHandle(static_cast<int>(collapse.to)));
+    if (!edge.is_valid() || !this->connectivity_.is_legal(edge)) return false;
     CollapseInfo ci(this->mesh_, edge);
-    if (!this->is_collapse_legal(ci) || this->collapse_priority(ci) < 0) return false;
+    if (this->collapse_priority(ci) < 0) return false;
     this->execute(ci);
     return true;
   }

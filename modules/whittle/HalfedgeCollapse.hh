@@ -1,0 +1,175 @@
+/// \file
+/// Whether a half-edge of an OpenMesh mesh may collapse, and the collapse itself, inline.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace whittle {
+
+/// The legality test and the collapse of OpenMesh's decimaters, for triangle meshes, without a call into
+/// OpenMesh's core library, which as Debian ships it checks every handle and every property on the way. Both
+/// do to the mesh just what OpenMesh does, down to the half-edge that each vertex and face points to; the
+/// mesh needs vertex, edge and face status, and its `tagged` bits are left alone.
+///
+///            vl
+///          /    \          h goes from v0 to v1; v0, the faces on both sides and the edges
+///      hp /  left \ hn     v0-vl and v0-vr vanish.
+///        /    h    \       hn takes the place of the other half-edge of v0-vl,
+///      v0 --------> v1     op takes that of v0-vr.
+///        \    o    /
+///      on \ right / op
+///          \    /
+///            vr
+template <typename Mesh>
+class HalfedgeCollapseT {
+ public:
+  using VertexHandle = typename Mesh::VertexHandle;
+  using HalfedgeHandle = typename Mesh::HalfedgeHandle;
+  using FaceHandle = typename Mesh::FaceHandle;
+
+  explicit HalfedgeCollapseT(Mesh& mesh) : mesh_(mesh) {}
+
+  /// Whether OpenMesh's `is_collapse_legal` allows it: neither end deleted, v0 neither locked nor a feature
+  /// off the feature's edges; the link condition; the boundary neither pinched nor left; no two faces back to
+  /// back.
+  bool is_legal(HalfedgeHandle h);
+
+  /// The half-edge from one vertex to another, invalid if there is none.
+  HalfedgeHandle find(VertexHandle from, VertexHandle to) const {
+    const HalfedgeHandle start = mesh_.halfedge_handle(from);
+    HalfedgeHandle h = start;
+    if (!start.is_valid()) return h;
+    do
+      if (mesh_.to_vertex_handle(h) == to) return h;
+    while ((h = rotated(h)) != start);
+    return HalfedgeHandle();
+  }
+
+  void collapse(HalfedgeHandle h);
+
+ private:
+  HalfedgeHandle next(HalfedgeHandle h) const { return mesh_.next_halfedge_handle(h); }
+  HalfedgeHandle opposite(HalfedgeHandle h) const { return mesh_.opposite_halfedge_handle(h); }
+  HalfedgeHandle rotated(HalfedgeHandle h) const { return next(opposite(h)); }
+  bool is_open(HalfedgeHandle h) const { return !mesh_.face_handle(h).is_valid(); }
+  bool is_boundary(VertexHandle v) const {
+    const HalfedgeHandle h = mesh_.halfedge_handle(v);
+    return !h.is_valid() || is_open(h);
+  }
+  bool has_valence_3(VertexHandle v) const {
+    const HalfedgeHandle h = mesh_.halfedge_handle(v);
+    const HalfedgeHandle third = rotated(rotated(h));
+    return third != h && rotated(h) != h && rotated(third) == h;
+  }
+  bool rings_meet_elsewhere(VertexHandle v0, VertexHandle v1, VertexHandle vl, VertexHandle vr);
+
+  /// `kept` takes the place of the other half-edge of `vanishing`, after the face that both are in.
+  void replace(HalfedgeHandle kept, HalfedgeHandle vanishing);
+  void point_to(VertexHandle v, HalfedgeHandle h) {
+    const bool was_boundary = is_boundary(v);
+    mesh_.set_halfedge_handle(v, h);
+    if (was_boundary) mesh_.adjust_outgoing_halfedge(v);
+  }
+
+  Mesh& mesh_;
+  std::vector<std::uint32_t> mark_;
+  std::uint32_t stamp_ = 0;
+};
+
+template <typename Mesh>
+bool HalfedgeCollapseT<Mesh>::is_legal(HalfedgeHandle h) {
+  const HalfedgeHandle o = opposite(h);
+  const VertexHandle v0 = mesh_.to_vertex_handle(o), v1 = mesh_.to_vertex_handle(h);
+  const auto& status = mesh_.status(v0);
+  const auto edge = mesh_.edge_handle(h);
+  if (status.locked() || status.deleted() || mesh_.status(v1).deleted() || mesh_.status(edge).deleted())
+    return false;
+  if (status.feature() && !mesh_.status(edge).feature()) return false;
+
+  const bool left = !is_open(h), right = !is_open(o);
+  const HalfedgeHandle hn = next(h), on = next(o);
+  VertexHandle vl, vr;
+  if (left) {
+    vl = mesh_.to_vertex_handle(hn);
+    if (is_open(opposite(hn)) && is_open(opposite(next(hn)))) return false;
+  }
+  if (right) {
+    vr = mesh_.to_vertex_handle(on);
+    if (is_open(opposite(on)) && is_open(opposite(next(on)))) return false;
+  }
+  if (vl == vr) return false;
+  if (is_boundary(v0) && (!is_boundary(v1) || (left && right))) return false;
+  if (rotated(rotated(h)) == h) return false;  // only one face at v0
+  if (rings_meet_elsewhere(v0, v1, vl, vr)) return false;
+  return !(left && right && has_valence_3(vl) && has_valence_3(vr) && find(vl, vr).is_valid());
+}
+
+template <typename Mesh>
+bool HalfedgeCollapseT<Mesh>::rings_meet_elsewhere(VertexHandle v0, VertexHandle v1, VertexHandle vl,
+                                                   VertexHandle vr) {
+  if (mark_.size() != mesh_.n_vertices() || stamp_ == 0xffffffffu) {
+    mark_.assign(mesh_.n_vertices(), 0);
+    stamp_ = 0;
+  }
+  ++stamp_;
+  const auto mark = [&](VertexHandle v) -> std::uint32_t& {
+    return mark_[static_cast<std::size_t>(v.idx())];
+  };
+  HalfedgeHandle start = mesh_.halfedge_handle(v1), h = start;
+  do mark(mesh_.to_vertex_handle(h)) = stamp_;
+  while ((h = rotated(h)) != start);
+  h = start = mesh_.halfedge_handle(v0);
+  do {
+    const VertexHandle v = mesh_.to_vertex_handle(h);
+    if (mark(v) == stamp_ && v != vl && v != vr) return true;
+  } while ((h = rotated(h)) != start);
+  return false;
+}
+
+template <typename Mesh>
+void HalfedgeCollapseT<Mesh>::replace(HalfedgeHandle kept, HalfedgeHandle vanishing) {
+  const HalfedgeHandle outer = opposite(vanishing);
+  const FaceHandle face = mesh_.face_handle(outer), vanished = mesh_.face_handle(kept);
+  mesh_.set_next_halfedge_handle(kept, next(outer));
+  mesh_.set_next_halfedge_handle(mesh_.prev_halfedge_handle(outer), kept);
+  mesh_.set_face_handle(kept, face);
+  if (face.is_valid() && mesh_.halfedge_handle(face) == outer) mesh_.set_halfedge_handle(face, kept);
+
+  mesh_.set_halfedge_handle(vanished, HalfedgeHandle());
+  mesh_.status(vanished).set_deleted(true);
+  mesh_.status(mesh_.edge_handle(outer)).set_deleted(true);
+  if (!mesh_.has_halfedge_status()) return;
+  mesh_.status(vanishing).set_deleted(true);
+  mesh_.status(outer).set_deleted(true);
+}
+
+template <typename Mesh>
+void HalfedgeCollapseT<Mesh>::collapse(HalfedgeHandle h) {
+  const HalfedgeHandle o = opposite(h), hn = next(h), on = next(o);
+  const HalfedgeHandle hp = mesh_.prev_halfedge_handle(h), op = mesh_.prev_halfedge_handle(o);
+  const VertexHandle v0 = mesh_.to_vertex_handle(o), v1 = mesh_.to_vertex_handle(h);
+  const bool left = !is_open(h), right = !is_open(o);
+
+  HalfedgeHandle spoke = h;
+  do mesh_.set_vertex_handle(opposite(spoke), v1);
+  while ((spoke = rotated(spoke)) != h);
+  mesh_.set_next_halfedge_handle(hp, hn);
+  mesh_.set_next_halfedge_handle(op, on);
+  mesh_.set_isolated(v0);
+  mesh_.status(v0).set_deleted(true);
+  mesh_.status(mesh_.edge_handle(h)).set_deleted(true);
+  if (mesh_.has_halfedge_status()) {
+    mesh_.status(h).set_deleted(true);
+    mesh_.status(o).set_deleted(true);
+  }
+
+  if (left) replace(hn, hp);
+  if (right) replace(op, on);
+  if (left) point_to(mesh_.to_vertex_handle(hn), opposite(hn));
+  if (right) point_to(mesh_.to_vertex_handle(opposite(op)), op);
+  point_to(v1, right ? opposite(op) : hn);
+}
+
+}  // namespace whittle
