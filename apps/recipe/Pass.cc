@@ -1,5 +1,6 @@
 #include "recipe/Pass.hh"
 
+#include <thread>
 #include <utility>
 
 #include "recipe/Stopwatch.hh"
@@ -26,14 +27,14 @@ std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh
 Plan make_plan(const IndexedMesh& mesh, const Planner& planner, const Floor& floor, std::size_t max_passes) {
   Plan plan;
   Stopwatch watch;
-  const SurfaceT<double> surface(mesh);
-  StagesT<double> stages(surface);
-  while (plan.passes < max_passes) {
-    const std::size_t added = std::visit([&](const auto& p) { return stages.add(p); }, planner);
-    ++plan.passes;
-    if (added == 0 || floor.reached(stages.n_faces(), stages.n_vertices())) break;
-  }
-  plan.collapses = stages.take();
+  const SurfaceT<double> surface(mesh, {}, std::thread::hardware_concurrency());
+  const auto enough = [&](const auto& stages) {
+    return floor.reached(stages.n_faces(), stages.n_vertices());
+  };
+  auto repeated =
+      std::visit([&](const auto& p) { return plan_passes(p, surface, max_passes, enough); }, planner);
+  plan.collapses = std::move(repeated.plan);
+  plan.passes = repeated.passes;
   plan.seconds = watch.lap();
   return plan;
 }

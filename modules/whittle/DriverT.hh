@@ -76,8 +76,10 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     target_ = target;
     collapses_ = vertices_ = faces_ = 0;
     halted_ = false;
-    for (const auto v : mesh_.all_vertices()) vertices_ += !mesh_.status(v).deleted();
-    for (const auto f : mesh_.all_faces()) faces_ += !mesh_.status(f).deleted();
+    for (int v = 0; v < static_cast<int>(mesh_.n_vertices()); ++v)
+      vertices_ += !mesh_.status(VertexHandle(v)).deleted();
+    for (int f = 0; f < static_cast<int>(mesh_.n_faces()); ++f)
+      faces_ += !mesh_.status(typename Mesh::FaceHandle(f)).deleted();
     run(only_selected);
     return collapses_;
   }

@@ -102,8 +102,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
         extras.tolerance.push_back(
             mesh.property(tolerance_, typename MeshT::VertexHandle(static_cast<int>(v))));
     const SurfaceT<typename MeshT::Scalar> surface(indexed, std::move(extras));
-    plan_ = plan_passes(planner_.scaled(this->error_tolerance_factor_), surface, passes_,
-                        [](const auto&) { return false; });
+    const auto never = [](const auto&) { return false; };
+    plan_ = plan_passes(planner_.scaled(this->error_tolerance_factor_), surface, passes_, never).plan;
     rank_.assign(indexed.points.size(), kNotPlanned);
     for (std::size_t i = 0; i < plan_.collapses.size(); ++i)
       rank_[plan_.collapses[i].from] = static_cast<std::uint32_t>(i);

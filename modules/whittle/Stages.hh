@@ -28,19 +28,25 @@ class StagesT {
   template <typename Planner>
   std::size_t add(const Planner& planner) {
     CollapsePlan stage = planner.plan(surface());
-    const std::size_t before = plan_.collapses.size();
-    if (!stage.collapses.empty())
-      for (const std::size_t begin : stage.stages) plan_.stages.push_back(before + begin);
+    plan_.record += stage.record;
+    const std::size_t before = plan_.collapses.size(), added = stage.collapses.size();
+    if (added == 0) return 0;
+    for (const Collapse& collapse : stage.collapses) faces_ -= collapse.faces;
+    vertices_ -= added;
+    for (const std::size_t begin : stage.stages) plan_.stages.push_back(before + begin);
+    is_pending_ = true;
+    if (!current_) {
+      plan_.collapses = std::move(stage.collapses);
+      return added;
+    }
+    plan_.collapses.reserve(before + added);
     for (Collapse collapse : stage.collapses) {
-      faces_ -= collapse.faces;
-      --vertices_;
-      collapse.from = input_vertex(collapse.from);
-      collapse.to = input_vertex(collapse.to);
+      collapse.from = vertex_[collapse.from];
+      collapse.to = vertex_[collapse.to];
       plan_.collapses.push_back(collapse);
     }
-    plan_.record += stage.record;
-    if (!stage.collapses.empty()) pending_ = std::move(stage);
-    return plan_.collapses.size() - before;
+    pending_ = std::move(stage);
+    return added;
   }
 
   std::size_t n_faces() const { return faces_; }        ///< that the plan so far leaves
@@ -60,7 +66,8 @@ class StagesT {
   const SurfaceT<Real>& input_;
   std::size_t faces_, vertices_;
   CollapsePlan plan_;
-  CollapsePlan pending_;  // the last stage, in the indices of the surface that it was planned on
+  bool is_pending_ = false;  // whether the current surface does not yet know of the last stage
+  CollapsePlan pending_;     // which is here in that surface's indices; the first stage is `plan_` itself
   std::unique_ptr<IndexedMeshT<Real>> mesh_;
   std::unique_ptr<SurfaceT<Real>> current_;   // null: the input
   std::vector<std::uint32_t> vertex_, face_;  // of the current surface, in the input
@@ -68,9 +75,10 @@ class StagesT {
 
 template <typename Real>
 const SurfaceT<Real>& StagesT<Real>::surface() {
-  if (pending_.collapses.empty()) return current_ ? *current_ : input_;
   const SurfaceT<Real>& last = current_ ? *current_ : input_;
-  auto executed = execute(pending_, last.mesh());
+  if (!is_pending_) return last;
+  auto executed = execute(current_ ? pending_ : plan_, last.mesh());
+  is_pending_ = false;
   pending_ = {};
 
   std::vector<std::uint32_t> vertex(executed.mesh.points.size());
@@ -95,15 +103,25 @@ const SurfaceT<Real>& StagesT<Real>::surface() {
   return *current_;
 }
 
+/// The plan of a planner that is run several times.
+struct RepeatedPlan {
+  CollapsePlan plan;
+  std::size_t passes = 0;  ///< how often it was run, the last time perhaps in vain
+};
+
 /// A planner repeated until nothing changes, at most `max_passes` times.
 /// \tparam Enough  called with the stages after each pass; true ends the passes.
 template <typename Planner, typename Real, typename Enough>
-CollapsePlan plan_passes(const Planner& planner, const SurfaceT<Real>& surface, std::size_t max_passes,
+RepeatedPlan plan_passes(const Planner& planner, const SurfaceT<Real>& surface, std::size_t max_passes,
                          Enough enough) {
+  RepeatedPlan out;
   StagesT<Real> stages(surface);
-  for (std::size_t pass = 0; pass < max_passes; ++pass)
+  while (out.passes < max_passes) {
+    ++out.passes;
     if (stages.add(planner) == 0 || enough(stages)) break;
-  return stages.take();
+  }
+  out.plan = stages.take();
+  return out;
 }
 
 }  // namespace whittle

@@ -20,36 +20,43 @@ namespace compaction {
 
 /// Old indices of what is left, in order, and the map back.
 template <typename IsDeleted>
-std::vector<std::size_t> survivors(std::size_t n, std::vector<int>& map, IsDeleted is_deleted) {
-  std::vector<std::size_t> left;
-  left.reserve(n);
+std::vector<int> survivors(std::size_t n, std::vector<int>& map, IsDeleted is_deleted) {
+  std::vector<int> left(n);
   map.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool deleted = is_deleted(static_cast<int>(i));
-    map[i] = deleted ? -1 : static_cast<int>(left.size());
-    if (!deleted) left.push_back(i);
+  int count = 0;
+  for (int i = 0; i < static_cast<int>(n); ++i) {
+    const bool deleted = is_deleted(i);
+    left[static_cast<std::size_t>(count)] = i;
+    map[static_cast<std::size_t>(i)] = deleted ? -1 : count;
+    count += !deleted;
   }
+  left.resize(static_cast<std::size_t>(count));
   return left;
 }
 
-/// Moves the values of one property if it is of this type, without a virtual call for each.
+/// Moves the values of one property if it is of this type, without a virtual call for each. `width` values
+/// belong together: two for half-edges, which move with their edge.
 template <typename T>
-bool move_values(OpenMesh::BaseProperty& property, const std::vector<std::size_t>& left) {
+bool move_values(OpenMesh::BaseProperty& property, const std::vector<int>& left, std::size_t width) {
   auto* typed = dynamic_cast<OpenMesh::PropertyT<T>*>(&property);
   if (!typed) return false;
-  auto& values = typed->data_vector();
-  for (std::size_t i = 0; i < left.size(); ++i) values[i] = values[left[i]];
+  auto* to = typed->data_vector().data();
+  const auto* values = to;
+  for (const int from : left)
+    for (std::size_t i = 0; i < width; ++i) *to++ = values[static_cast<std::size_t>(from) * width + i];
   return true;
 }
 
 /// Moves the values of all properties between two iterators. An element only moves towards the front, so none
 /// is overwritten before it has been read.
 template <typename... FastTypes, typename Iterator>
-void move_properties(Iterator begin, Iterator end, const std::vector<std::size_t>& left) {
+void move_properties(Iterator begin, Iterator end, const std::vector<int>& left, std::size_t width = 1) {
   for (Iterator p = begin; p != end; ++p) {
-    if (!*p || (move_values<FastTypes>(**p, left) || ...)) continue;
-    for (std::size_t i = 0; i < left.size(); ++i)
-      if (left[i] != i) (*p)->copy(left[i], i);
+    if (!*p || (move_values<FastTypes>(**p, left, width) || ...)) continue;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const auto from = static_cast<std::size_t>(left[i]);
+      for (std::size_t k = 0; from != i && k < width; ++k) (*p)->copy(from * width + k, i * width + k);
+    }
   }
 }
 
@@ -65,15 +72,15 @@ Compaction compact(Mesh& mesh) {
   using EdgeHandle = typename Mesh::EdgeHandle;
   using FaceHandle = typename Mesh::FaceHandle;
   Compaction map;
+  const bool vertex_status = mesh.has_vertex_status(), edge_status = mesh.has_edge_status(),
+             face_status = mesh.has_face_status();
   const auto vertices = compaction::survivors(mesh.n_vertices(), map.vertices, [&](int i) {
-    return mesh.has_vertex_status() && mesh.status(VertexHandle(i)).deleted();
+    return vertex_status && mesh.status(VertexHandle(i)).deleted();
   });
-  const auto edges = compaction::survivors(mesh.n_edges(), map.edges, [&](int i) {
-    return mesh.has_edge_status() && mesh.status(EdgeHandle(i)).deleted();
-  });
-  const auto faces = compaction::survivors(mesh.n_faces(), map.faces, [&](int i) {
-    return mesh.has_face_status() && mesh.status(FaceHandle(i)).deleted();
-  });
+  const auto edges = compaction::survivors(
+      mesh.n_edges(), map.edges, [&](int i) { return edge_status && mesh.status(EdgeHandle(i)).deleted(); });
+  const auto faces = compaction::survivors(
+      mesh.n_faces(), map.faces, [&](int i) { return face_status && mesh.status(FaceHandle(i)).deleted(); });
 
   // Connectivity: first every item to its new place, then its handles.
   const auto moved = [](const auto& handle, const std::vector<int>& to) {
@@ -82,36 +89,32 @@ Compaction compact(Mesh& mesh) {
   const auto halfedge = [&](HalfedgeHandle h) {
     return HalfedgeHandle(h.is_valid() ? map.halfedge(h.idx()) : -1);
   };
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    mesh.edge(EdgeHandle(static_cast<int>(i))) = mesh.edge(EdgeHandle(static_cast<int>(edges[i])));
-  for (std::size_t i = 0; i < 2 * edges.size(); ++i) {
-    const HalfedgeHandle h(static_cast<int>(i));
+  const int n_vertices = static_cast<int>(vertices.size()), n_edges = static_cast<int>(edges.size()),
+            n_faces = static_cast<int>(faces.size());
+  for (int i = 0; i < n_edges; ++i)
+    mesh.edge(EdgeHandle(i)) = mesh.edge(EdgeHandle(edges[static_cast<std::size_t>(i)]));
+  for (int i = 0; i < 2 * n_edges; ++i) {
+    const HalfedgeHandle h(i);
     mesh.set_vertex_handle(h, VertexHandle(moved(mesh.to_vertex_handle(h), map.vertices)));
     mesh.set_face_handle(h, FaceHandle(moved(mesh.face_handle(h), map.faces)));
-    mesh.set_next_halfedge_handle(
-        h, halfedge(mesh.next_halfedge_handle(h)));  // sets the next one's previous, too
+    // Sets the previous of the next one, too.
+    mesh.set_next_halfedge_handle(h, halfedge(mesh.next_halfedge_handle(h)));
   }
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    mesh.set_halfedge_handle(VertexHandle(static_cast<int>(i)),
-                             halfedge(mesh.halfedge_handle(VertexHandle(static_cast<int>(vertices[i])))));
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    mesh.set_halfedge_handle(FaceHandle(static_cast<int>(i)),
-                             halfedge(mesh.halfedge_handle(FaceHandle(static_cast<int>(faces[i])))));
+  for (int i = 0; i < n_vertices; ++i) {
+    const VertexHandle from(vertices[static_cast<std::size_t>(i)]);
+    mesh.set_halfedge_handle(VertexHandle(i), halfedge(mesh.halfedge_handle(from)));
+  }
+  for (int i = 0; i < n_faces; ++i) {
+    const FaceHandle from(faces[static_cast<std::size_t>(i)]);
+    mesh.set_halfedge_handle(FaceHandle(i), halfedge(mesh.halfedge_handle(from)));
+  }
 
   using Status = OpenMesh::Attributes::StatusInfo;
   compaction::move_properties<typename Mesh::Point, typename Mesh::Normal, Status>(
       mesh.vprops_begin(), mesh.vprops_end(), vertices);
   compaction::move_properties<Status>(mesh.eprops_begin(), mesh.eprops_end(), edges);
   compaction::move_properties<typename Mesh::Normal, Status>(mesh.fprops_begin(), mesh.fprops_end(), faces);
-  if (mesh.hprops_begin() != mesh.hprops_end()) {
-    std::vector<std::size_t> halfedges;
-    halfedges.reserve(2 * edges.size());
-    for (const std::size_t e : edges) {
-      halfedges.push_back(2 * e);
-      halfedges.push_back(2 * e + 1);
-    }
-    compaction::move_properties<Status>(mesh.hprops_begin(), mesh.hprops_end(), halfedges);
-  }
+  compaction::move_properties<Status>(mesh.hprops_begin(), mesh.hprops_end(), edges, 2);
   mesh.resize(vertices.size(), edges.size(), faces.size());
   return map;
 }

@@ -1,5 +1,5 @@
 /// \file
-/// From an OpenMesh mesh to the flat arrays that planners work on.
+/// From an OpenMesh mesh to the flat arrays that planners work on, and back.
 #pragma once
 
 #include <cstdint>
@@ -37,6 +37,28 @@ IndexedMeshT<typename Mesh::Scalar> to_indexed(const Mesh& mesh) {
     out.triangles.push_back(triangle);
   }
   return out;
+}
+
+/// Adds points and triangles to an OpenMesh mesh, as a rule an empty one.
+/// \return how many triangles OpenMesh could not take: degenerate ones, and those that would make an edge or
+/// a
+///         vertex non-manifold. What `bulk` makes of a manifold mesh has none of them.
+///         OpenMesh may say a word about them on its `omerr()`.
+template <typename Mesh>
+std::size_t to_openmesh(const IndexedMeshT<typename Mesh::Scalar>& indexed, Mesh& mesh) {
+  using VertexHandle = typename Mesh::VertexHandle;
+  const int first = static_cast<int>(mesh.n_vertices());
+  mesh.reserve(mesh.n_vertices() + indexed.points.size(),
+               mesh.n_edges() + indexed.triangles.size() * 3 / 2 + 16,
+               mesh.n_faces() + indexed.triangles.size());
+  for (const auto& p : indexed.points) mesh.add_vertex(typename Mesh::Point(p[0], p[1], p[2]));
+  std::size_t refused = 0;
+  for (const auto& t : indexed.triangles) {
+    const auto corner = [&](int i) { return VertexHandle(first + static_cast<int>(t[i])); };
+    const bool is_degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    refused += is_degenerate || !mesh.add_face(corner(0), corner(1), corner(2)).is_valid();
+  }
+  return refused;
 }
 
 /// Whether the faces around a vertex disagree about its texture coordinate. False for a mesh without

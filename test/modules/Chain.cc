@@ -120,7 +120,7 @@ TEST_CASE("a chain in passes begins again with its first planner") {
   const IndexedMesh mesh = meshes::shaken(meshes::torus(24, 14), 0.005, 4);
   const Surface surface(mesh);
   const Fass chain = fass(20, 0.15);
-  const CollapsePlan plan = plan_passes(chain, surface, 2, [](const auto&) { return false; });
+  const CollapsePlan plan = plan_passes(chain, surface, 2, [](const auto&) { return false; }).plan;
   StagesT<double> stages(surface);
   for (int pass = 0; pass < 2; ++pass) {
     stages.add(std::get<0>(chain.planners));

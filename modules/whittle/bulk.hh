@@ -1,0 +1,65 @@
+/// \file
+/// The shortest way from flat arrays to flat arrays: plan and execute in one call.
+#pragma once
+
+#include <cstddef>
+#include <thread>
+#include <utility>
+
+#include "whittle/CollapsePlan.hh"
+#include "whittle/IndexedMesh.hh"
+#include "whittle/Stages.hh"
+#include "whittle/Surface.hh"
+#include "whittle/execute.hh"
+
+namespace whittle {
+
+/// What `bulk` may be told besides the planner.
+struct BulkOptions {
+  std::size_t passes =
+      1;  ///< how often the planner is run at most, each time on what the last run leaves; >= 1
+  /// Stop as soon as no more faces are left; of the last pass only as many collapses are executed as it
+  /// takes.
+  std::size_t min_faces = 0;
+  /// For the parts that allow it: the rings. 0: as many as the machine runs at once. The result is the same
+  /// for any number.
+  std::size_t threads = 0;
+  SurfaceExtras extras;  ///< locks, tolerances
+};
+
+/// What `bulk` makes of a mesh.
+template <typename Real>
+struct BulkResultT : ExecutedT<Real> {
+  PlanRecord record;
+  std::size_t collapses = 0, passes = 0;
+};
+
+/// Plans on a mesh and carries the plan out. The draft has tested every collapse for the link condition, so
+/// what was manifold stays so and nothing needs repair. For OpenMesh meshes see `to_indexed` and
+/// `to_openmesh`; to keep attributes and properties there, use SweepDecimaterT. \throw InvalidMesh       an
+/// index out of range, a coordinate that is not finite. \throw InvalidParameter  of the planner or of the
+/// options.
+template <typename Planner, typename Real>
+BulkResultT<Real> bulk(const Planner& planner, const IndexedMeshT<Real>& mesh, BulkOptions options = {}) {
+  if (options.passes == 0) throw InvalidParameter("the number of passes must be at least 1");
+  const std::size_t threads = options.threads ? options.threads : std::thread::hardware_concurrency();
+  RepeatedPlan repeated;
+  {
+    const SurfaceT<Real> surface(mesh, std::move(options.extras), threads);
+    repeated = plan_passes(planner, surface, options.passes,
+                           [&](const auto& stages) { return stages.n_faces() <= options.min_faces; });
+  }
+  BulkResultT<Real> out;
+  std::size_t faces = mesh.triangles.size();
+  for (const Collapse& collapse : repeated.plan.collapses) {
+    if (faces <= options.min_faces) break;
+    faces -= collapse.faces;
+    ++out.collapses;
+  }
+  static_cast<ExecutedT<Real>&>(out) = execute(repeated.plan, mesh, out.collapses);
+  out.record = repeated.plan.record;
+  out.passes = repeated.passes;
+  return out;
+}
+
+}  // namespace whittle
