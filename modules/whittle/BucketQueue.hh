@@ -1,0 +1,59 @@
+/// \file
+/// A priority queue that is exact to a quarter of an octave, and never compares.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace whittle {
+
+/// Items in buckets by the bits of a cost: positive floats are ordered as their bits are, and the upper bits
+/// name the octave and the quarter of it. Within a bucket, items come in the order in which they went in.
+class BucketQueue {
+ public:
+  static constexpr int kBucketsPerOctave = 4;
+  static constexpr std::size_t kBuckets = 1024;
+
+  /// The bucket of a cost; of a negative one the first, of NaN the last.
+  static std::size_t bucket_of(float cost) {
+    if (!(cost > 0)) return cost <= 0 ? 0 : kBuckets - 1;
+    std::uint32_t bits = 0;
+    static_assert(sizeof bits == sizeof cost);
+    std::memcpy(&bits, &cost, sizeof bits);
+    return bits >> 21;  // 8 bits of exponent, 2 of mantissa
+  }
+
+  void push(std::uint32_t item, std::size_t bucket) {
+    buckets_[bucket < at_ ? at_ : bucket < kBuckets ? bucket : kBuckets - 1].push_back(item);
+  }
+
+  /// The next item of the cheapest bucket. \return false  the queue is empty.
+  bool pop(std::uint32_t& item) {
+    while (read_ == buckets_[at_].size()) {
+      std::vector<std::uint32_t>().swap(buckets_[at_]);
+      read_ = 0;
+      if (at_ + 1 == kBuckets) return false;
+      ++at_;
+    }
+    item = buckets_[at_][read_++];
+    return true;
+  }
+
+  std::size_t bucket() const { return at_; }  ///< the one that the last item came from
+
+  /// The item that is `ahead` places behind the next one in the same bucket, or the last there; for
+  /// prefetching.
+  const std::uint32_t* peek(std::size_t ahead) const {
+    const auto& items = buckets_[at_];
+    return read_ + ahead < items.size() ? &items[read_ + ahead] : nullptr;
+  }
+
+ private:
+  std::array<std::vector<std::uint32_t>, kBuckets> buckets_;
+  std::size_t at_ = 0, read_ = 0;
+};
+
+}  // namespace whittle

@@ -1,0 +1,142 @@
+/// \file
+/// A triangle mesh that collapses edges fast: for planners that look far ahead.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "whittle/Rings.hh"
+#include "whittle/Surface.hh"
+
+namespace whittle {
+
+/// A half-edge of the corner table: four times its face plus the corner where it starts. The same number
+/// names that corner.
+using Corner = std::uint32_t;
+constexpr Corner kNoCorner = 0xffffffffu;
+
+inline Corner next(Corner c) {
+  return (c & 3) == 2 ? c - 2 : c + 1;
+}
+inline Corner previous(Corner c) {
+  return (c & 3) == 0 ? c + 2 : c - 1;
+}
+
+/// Triangles with their three vertices and three neighbours, and one corner of each vertex.
+///
+///         l           Half-edge c goes from a to b; its opposite, `twin(c)`, from b to a. The corners around
+///         a
+///        / \          vertex are c, twin(previous(c)), and so on, counter-clockwise; of a boundary vertex
+///       / c \         `first` is the one where that begins.
+///      a --- b
+class CornerTable {
+ public:
+  struct Face {
+    std::array<std::uint32_t, 3> vertex;  ///< kDead in the first of a face that has vanished
+    std::array<Corner, 3> twin;  ///< of the half-edge that starts at each corner; kNoCorner at a boundary
+    std::uint32_t queued;        ///< a bit for each half-edge, for the planner's use
+    std::uint32_t normal;        ///< the unit normal in the input, packed
+  };
+  static constexpr std::uint32_t kDead = 0xffffffffu;
+
+  CornerTable() = default;
+
+  /// \param rings  of the same triangles, with faces. Where they are complex, half-edges have no twin.
+  CornerTable(const std::vector<Rings::Triangle>& triangles, const Rings& rings, std::size_t n_vertices);
+
+  Face& face(Corner c) { return faces_[c >> 2]; }
+  const Face& face(Corner c) const { return faces_[c >> 2]; }
+  Face* faces() { return faces_.data(); }
+  std::size_t n_faces() const { return faces_.size(); }
+  bool is_dead(Corner c) const { return face(c).vertex[0] == kDead; }
+  std::uint32_t vertex(Corner c) const { return face(c).vertex[c & 3]; }
+  Corner twin(Corner c) const { return face(c).twin[c & 3]; }
+
+  /// A corner of a vertex; at the boundary the first. kNoCorner where it has no ring.
+  Corner first(std::uint32_t v) const { return first_[v]; }
+
+  /// Whether the fan of a vertex with a ring is open.
+  bool is_open(std::uint32_t v) const { return twin(first_[v]) == kNoCorner; }
+
+  /// The corner after `c` around its vertex, kNoCorner at the end of an open fan.
+  Corner around(Corner c) const { return twin(previous(c)); }
+
+  /// Merges the end of half-edge `c` into its start. The link condition must hold.
+  void collapse(Corner c);
+
+ private:
+  /// Removes the face of `c`, whose half-edge `c` has shrunk to a point: the neighbours across its other two
+  /// edges become each other's twins.
+  void close(Corner c);
+
+  void set_twin(Corner c, Corner twin) {
+    if (c != kNoCorner) face(c).twin[c & 3] = twin;
+  }
+
+  std::vector<Face> faces_;
+  std::vector<Corner> first_;
+};
+
+inline CornerTable::CornerTable(const std::vector<Rings::Triangle>& triangles, const Rings& rings,
+                                std::size_t n_vertices)
+    : first_(n_vertices, kNoCorner) {
+  faces_.reserve(triangles.size());
+  for (const Rings::Triangle& t : triangles) faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, 0, 0});
+  const auto corner_at = [&](std::uint32_t f, std::uint32_t v) -> Corner {
+    const auto& corners = triangles[f];
+    return 4 * f + (corners[0] == v ? 0 : corners[1] == v ? 1 : 2);
+  };
+  for (std::uint32_t v = 0; v < n_vertices; ++v) {
+    const Ring ring = rings[v];
+    if (ring.n_faces() == 0) continue;
+    const Corner start = corner_at(rings.face(v, 0), v);
+    first_[v] = start;
+    Corner at = start;
+    for (std::size_t i = 1; i <= ring.n_faces(); ++i) {
+      if (i == ring.n_faces() && !ring.is_closed()) break;
+      const Corner after = i == ring.n_faces() ? start : corner_at(rings.face(v, i), v);
+      set_twin(previous(at), after);
+      set_twin(after, previous(at));
+      at = after;
+    }
+  }
+}
+
+inline void CornerTable::collapse(Corner c) {
+  const Corner d = twin(c);
+  const std::uint32_t to = vertex(c), from = vertex(next(c));
+  const auto in_face_of = [](Corner at, Corner edge) { return edge != kNoCorner && at >> 2 == edge >> 2; };
+
+  // The fan of the merged vertex begins where that of the open one of the two begins; on a boundary edge,
+  // where `to` begins and `from` ends, where that of `from` does; in a disc, anywhere. If that face vanishes,
+  // then after it.
+  Corner first = d == kNoCorner || is_open(from) ? first_[from] : is_open(to) ? first_[to] : c;
+  if (in_face_of(first, c))
+    first = twin(previous(c));
+  else if (in_face_of(first, d))
+    first = twin(previous(d));
+
+  for (Corner at = first_[from]; at != kNoCorner;) {
+    face(at).vertex[at & 3] = to;
+    at = around(at);
+    if (at == first_[from]) break;
+  }
+  close(c);
+  if (d != kNoCorner) close(d);
+  first_[from] = kNoCorner;
+  first_[to] = first;
+}
+
+inline void CornerTable::close(Corner c) {
+  const Corner left = twin(next(c)), right = twin(previous(c)), tip = previous(c);
+  set_twin(left, right);
+  set_twin(right, left);
+  if (first_[vertex(tip)] == tip)
+    first_[vertex(tip)] = left;  // across the edge that the tip's fan goes on by
+  face(c).vertex[0] = kDead;
+}
+
+}  // namespace whittle

@@ -1,0 +1,54 @@
+/// \file
+/// mq, memoryless quadrics: down to a number of faces, as true to the shape as possible.
+#pragma once
+
+#include <cstddef>
+
+#include "whittle/CollapsePlan.hh"
+#include "whittle/MemorylessQuadricRun.hh"
+#include "whittle/PlanDraft.hh"
+#include "whittle/Surface.hh"
+#include "whittle/errors.hh"
+
+namespace whittle {
+
+/// Planner of mq.
+///
+/// Edges are collapsed in order of the error that this adds, to the point where the planes of the faces
+/// around them are nearest, until `target_faces` are left. The planes are those of the faces as they are by
+/// then: the quadrics have no memory (Lindstrom and Turk 1998), which is nearer to the input in the end than
+/// accumulated ones (Garland and Heckbert 1997). In a vertex's own frame its planes pass through the origin,
+/// so a quadric is a symmetric matrix and nothing else.
+///
+/// Vertices that are locked, features or on a seam stay where they are; free ones may merge into them. The
+/// boundary is held by planes of its own. Computes in float on a copy of unit size.
+struct MemorylessQuadric {
+  std::size_t target_faces = 0;     ///< stop at so many faces or fewer; 0: go on until nothing is legal
+  std::size_t target_vertices = 0;  ///< or at so many vertices, isolated ones included
+  FlipGuard guard;  ///< against the normal before each collapse; against that of the input no face turns by
+                    ///< 90 degrees
+
+  /// \throw InvalidParameter  a value outside the range given above.
+  void validate() const { guard.validate(); }
+
+  /// A target is no threshold, so nothing is scaled.
+  MemorylessQuadric scaled(double /*factor*/) const { return *this; }
+
+  /// \throw InvalidParameter
+  template <typename Real>
+  CollapsePlan plan(const SurfaceT<Real>& surface) const;
+};
+
+template <typename Real>
+CollapsePlan MemorylessQuadric::plan(const SurfaceT<Real>& surface) const {
+  validate();
+  MemorylessQuadricRun run(surface.mesh(), surface.extras().flags, static_cast<float>(guard.min_cos));
+  run.run(target_faces, target_vertices);
+  CollapsePlan plan = run.take();
+  for (Collapse& collapse : plan.collapses)  // what is held stays just where it is, not where its float is
+    if ((surface.flags(collapse.to) & MemorylessQuadricRun::kHeld) != 0)
+      collapse.target = surface.point(collapse.to);
+  return plan;
+}
+
+}  // namespace whittle

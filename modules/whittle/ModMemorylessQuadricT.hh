@@ -1,0 +1,33 @@
+/// \file
+/// mq as an OpenMesh decimater module.
+#pragma once
+
+#include "whittle/MemorylessQuadric.hh"
+#include "whittle/ModPlannedT.hh"
+
+namespace whittle {
+
+/// Down to a number of faces, as true to the shape as possible. The parameters are those of
+/// MemorylessQuadric.
+///
+/// Set the target here and decimate without one: the planner then knows how far it has to go. A decimater's
+/// own target cuts the plan off where it is, which is nearly as good. As survivors move, stock binary modules
+/// judge a collapse as if they did not.
+template <typename MeshT>
+class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
+ public:
+  DECIMATING_MODULE(ModMemorylessQuadricT, MeshT, MemorylessQuadric);
+
+  explicit ModMemorylessQuadricT(MeshT& mesh) : ModPlannedT<MeshT, MemorylessQuadric>(mesh) {}
+
+  /// So many faces or fewer; the default 0 goes on until nothing is legal.
+  void set_target_faces(std::size_t faces) {
+    this->change([&](MemorylessQuadric& p) { p.target_faces = faces; });
+  }
+  /// Least cosine between a face's normals before and after a collapse. -1..1, default 0.2.
+  void set_flip_guard(double min_cos) {
+    this->change([&](MemorylessQuadric& p) { p.guard.min_cos = min_cos; });
+  }
+};
+
+}  // namespace whittle

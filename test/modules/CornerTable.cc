@@ -1,0 +1,170 @@
+#include "whittle/CornerTable.hh"
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "catch.hh"
+#include "measure/MeshFacts.hh"
+#include "meshes.hh"
+#include "whittle/BucketQueue.hh"
+#include "whittle/MortonOrder.hh"
+#include "whittle/SymmetricMatrix.hh"
+
+using namespace whittle;
+using meshes::IndexedMesh;
+
+namespace {
+
+CornerTable table_of(const IndexedMesh& mesh) {
+  return {mesh.triangles, Rings(mesh.triangles, mesh.points.size(), true, 1), mesh.points.size()};
+}
+
+std::vector<Rings::Triangle> alive(const CornerTable& table) {
+  std::vector<Rings::Triangle> out;
+  for (Corner c = 0; c < 4 * table.n_faces(); c += 4)
+    if (!table.is_dead(c)) out.push_back(table.face(c).vertex);
+  return out;
+}
+
+/// The table's neighbours, and the fans that it walks, are those of its living faces.
+void check_consistent(const CornerTable& table, std::size_t n_vertices) {
+  const Rings rings(alive(table), n_vertices, false, 1);
+  for (Corner f = 0; f < 4 * table.n_faces(); f += 4)
+    for (Corner c = f; c < f + 3 && !table.is_dead(f); ++c) {
+      const Corner d = table.twin(c);
+      if (d == kNoCorner) continue;
+      REQUIRE_FALSE(table.is_dead(d));
+      REQUIRE(table.twin(d) == c);
+      REQUIRE(table.vertex(d) == table.vertex(next(c)));
+      REQUIRE(table.vertex(next(d)) == table.vertex(c));
+    }
+  for (std::uint32_t v = 0; v < n_vertices; ++v) {
+    const Ring ring = rings[v];
+    if (ring.size() == 0) continue;
+    REQUIRE(table.is_open(v) == !ring.is_closed());
+    std::vector<std::uint32_t> walked;
+    Corner at = table.first(v);
+    do {
+      REQUIRE(table.vertex(at) == v);
+      walked.push_back(table.vertex(next(at)));
+      at = table.around(at);
+    } while (at != kNoCorner && at != table.first(v));
+    REQUIRE(walked.size() == ring.n_faces());
+    const auto start = std::find(walked.begin(), walked.end(), ring[0]);
+    REQUIRE(start != walked.end());
+    if (!ring.is_closed()) REQUIRE(start == walked.begin());
+    std::rotate(walked.begin(), start, walked.end());
+    REQUIRE(std::equal(walked.begin(), walked.end(), ring.begin()));
+  }
+}
+
+/// The link condition by brute force.
+bool may_collapse(const std::vector<Rings::Triangle>& faces, std::uint32_t a, std::uint32_t b) {
+  std::set<std::uint32_t> near_a, near_b, opposite;
+  std::size_t of_a = 0, of_b = 0;
+  for (const auto& t : faces) {
+    const bool has_a = std::count(t.begin(), t.end(), a) > 0, has_b = std::count(t.begin(), t.end(), b) > 0;
+    of_a += has_a && !has_b;
+    of_b += has_b && !has_a;
+    for (const std::uint32_t v : t) {
+      if (has_a && v != a && v != b) near_a.insert(v);
+      if (has_b && v != a && v != b) near_b.insert(v);
+      if (has_a && has_b && v != a && v != b) opposite.insert(v);
+    }
+  }
+  std::vector<std::uint32_t> common;
+  std::set_intersection(near_a.begin(), near_a.end(), near_b.begin(), near_b.end(),
+                        std::back_inserter(common));
+  return common.size() == opposite.size() && of_a > 0 && of_b > 0 && of_a + of_b > 2;
+}
+
+}  // namespace
+
+TEST_CASE("a corner table follows any legal collapses") {
+  for (const IndexedMesh& mesh :
+       {meshes::torus(8, 6), meshes::flat_grid(6), meshes::strip(6, 1.0), meshes::octahedron(),
+        meshes::cone(7, 1.0), meshes::riddled(meshes::torus(12, 8), 12, 5)}) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      CornerTable table = table_of(mesh);
+      check_consistent(table, mesh.points.size());
+      std::mt19937 random(seed);
+      for (int i = 0; i < 300; ++i) {
+        const auto c = static_cast<Corner>(4 * (random() % table.n_faces()) + random() % 3);
+        if (table.is_dead(c)) continue;
+        const std::uint32_t a = table.vertex(c), b = table.vertex(next(c));
+        if (table.first(a) == kNoCorner || table.first(b) == kNoCorner) continue;  // complex
+        const bool interior = table.twin(c) != kNoCorner;
+        if (interior && table.is_open(a) && table.is_open(b)) continue;
+        if (!may_collapse(alive(table), a, b)) continue;
+        const std::size_t before = alive(table).size();
+        table.collapse(c);
+        REQUIRE(alive(table).size() == before - (interior ? 2 : 1));
+        REQUIRE(table.first(b) == kNoCorner);
+        check_consistent(table, mesh.points.size());
+      }
+    }
+  }
+}
+
+TEST_CASE("a bucket queue goes up by quarters of an octave, and first in, first out in each") {
+  CHECK(BucketQueue::bucket_of(0) == 0);
+  CHECK(BucketQueue::bucket_of(-1) == 0);
+  CHECK(BucketQueue::bucket_of(1) == BucketQueue::bucket_of(1.24f));
+  CHECK(BucketQueue::bucket_of(1) + 1 == BucketQueue::bucket_of(1.25f));
+  CHECK(BucketQueue::bucket_of(1) + 4 == BucketQueue::bucket_of(2));
+  CHECK(BucketQueue::bucket_of(1) - 4 == BucketQueue::bucket_of(0.5f));
+  CHECK(BucketQueue::bucket_of(NAN) == BucketQueue::kBuckets - 1);
+  CHECK(BucketQueue::bucket_of(INFINITY) < BucketQueue::kBuckets);
+
+  BucketQueue queue;
+  std::uint32_t item = 0;
+  queue.push(1, BucketQueue::bucket_of(3));
+  queue.push(2, BucketQueue::bucket_of(0.1f));
+  queue.push(3, BucketQueue::bucket_of(3.1f));
+  REQUIRE(queue.pop(item));
+  CHECK(item == 2);
+  queue.push(4, BucketQueue::bucket_of(0.001f));  // below where the queue is: comes at once
+  REQUIRE(queue.pop(item));
+  CHECK(item == 4);
+  REQUIRE(queue.pop(item));
+  CHECK(item == 1);
+  CHECK(queue.bucket() == BucketQueue::bucket_of(3));
+  REQUIRE(queue.pop(item));
+  CHECK(item == 3);
+  CHECK_FALSE(queue.pop(item));
+  queue.push(5, 9999);
+  REQUIRE(queue.pop(item));
+  CHECK(item == 5);
+}
+
+TEST_CASE("Morton order renumbers and loses nothing") {
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(24, 14), 0.02, 1);
+  const MortonOrder order(mesh);
+  std::vector<std::uint32_t> vertices = order.vertex, faces = order.face;
+  std::sort(vertices.begin(), vertices.end());
+  std::sort(faces.begin(), faces.end());
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) REQUIRE(vertices[v] == v);
+  for (std::uint32_t f = 0; f < faces.size(); ++f) REQUIRE(faces[f] == f);
+  REQUIRE(order.triangles.size() == mesh.triangles.size());
+  double near = 0, before = 0;
+  for (std::size_t f = 0; f < order.triangles.size(); ++f)
+    for (int i = 0; i < 3; ++i)
+      CHECK(order.vertex[order.triangles[f][i]] == mesh.triangles[order.face[f]][i]);
+  for (std::size_t v = 1; v < vertices.size(); ++v) {
+    near += (mesh.points[order.vertex[v]] - mesh.points[order.vertex[v - 1]]).norm();
+    before += (mesh.points[v] - mesh.points[v - 1]).norm();
+  }
+  CHECK(near < 2 * before);
+  CHECK(MortonOrder(IndexedMesh()).triangles.empty());
+  CHECK(MortonOrder(meshes::isolated_points(3)).vertex.size() == 3);
+}
+
+TEST_CASE("a symmetric matrix solves what it multiplies") {
+  const Eigen::Vector3f a(1, 2, -1), b(0, 1, 3), u(0.5f, -2, 4);
+  const SymmetricMatrix m =
+      SymmetricMatrix::outer(a, 2) + SymmetricMatrix::outer(b, 0.5f) + SymmetricMatrix::identity(1);
+  CHECK((m.solve(m * u) - u).norm() < 1e-5f);
+  CHECK(m.trace() == Approx(2 * 6 + 0.5 * 10 + 3));
+  CHECK_FALSE(SymmetricMatrix::outer(a, -1).solve(u).allFinite());
+}
