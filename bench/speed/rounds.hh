@@ -1,0 +1,49 @@
+/// \file
+/// The measurement: interleaved rounds, one score and one count of memory for each contender.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/Progress.hh"
+#include "speed/Contender.hh"
+#include "speed/Score.hh"
+#include "speed/lineup.hh"
+
+namespace whittle::speed {
+
+/// Models of more faces are large: heavy contenders get at most kHeavyRounds rounds, and no count of memory.
+inline constexpr std::size_t kLargeFaces = 500000;
+inline constexpr std::size_t kHeavyRounds = 3;
+
+/// Bytes on the heap.
+struct Memory {
+  std::int64_t loaded = 0;  ///< the model in the contender's own form, or the arrays it reads in place
+  std::int64_t peak = 0;    ///< the most at once while decimating: model, working memory and output
+};
+
+/// All that was found out about one contender on one model. One value for each round.
+struct Result {
+  Entry entry;
+  std::vector<double> seconds, load_seconds, unload_seconds;
+  std::vector<std::pair<std::string, std::vector<double>>> phase_seconds;
+  std::optional<Score> score;  ///< none where there is no mesh to score
+  std::optional<Memory> memory;
+};
+
+struct ModelResults {
+  const Subject* subject = nullptr;
+  std::vector<Result> results;
+};
+
+/// Every round visits every contender on every model, each time beginning with another one, so that a machine
+/// that grows slower or faster meets all alike. The first round is preceded by an untimed one, in which
+/// memory is counted, and results are scored.
+std::vector<ModelResults> run_rounds(Suite suite, const std::vector<Subject>& subjects, std::size_t rounds,
+                                     const std::optional<std::regex>& only, bench::Progress& progress);
+
+}  // namespace whittle::speed
