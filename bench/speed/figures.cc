@@ -16,14 +16,14 @@ class Results {
   explicit Results(const Json& model) : model_(model) {}
 
   const Json* find(const std::string& name) const {
-    for (const Json& result : model_["results"])
-      if (result["name"] == name && !result["seconds"].is_null()) return &result;
+    for (const Json& result : model_.at("results"))
+      if (result.at("name") == name && !result.at("seconds").is_null()) return &result;
     return nullptr;
   }
   std::optional<double> seconds(const std::string& name) const {
     const Json* result = find(name);
     if (!result) return std::nullopt;
-    return (*result)["seconds"]["median"].get<double>();
+    return (*result).at("seconds").at("median").get<double>();
   }
   /// How many times longer the first takes than the second.
   std::optional<double> ratio(const std::string& first, const std::string& second) const {
@@ -31,9 +31,9 @@ class Results {
     if (!a || !b || !(*b > 0)) return std::nullopt;
     return *a / *b;
   }
-  bool is(const std::string& name) const { return model_["name"].get<std::string>().rfind(name, 0) == 0; }
-  std::string name() const { return model_["name"]; }
-  double faces() const { return model_["faces"]; }
+  bool is(const std::string& name) const { return model_.at("name").get<std::string>().rfind(name, 0) == 0; }
+  std::string name() const { return model_.at("name"); }
+  double faces() const { return model_.at("faces"); }
 
  private:
   const Json& model_;
@@ -44,9 +44,9 @@ std::string long_name(const char* method, const char* module) {
 }
 
 std::optional<double> mean_error(const Json* result) {
-  if (!result || (*result)["score"].is_null() || (*result)["score"]["distance"].is_null())
+  if (!result || (*result).at("score").is_null() || (*result).at("score").at("distance").is_null())
     return std::nullopt;
-  return (*result)["score"]["distance"]["mean_units"].get<double>();
+  return (*result).at("score").at("distance").at("mean_units").get<double>();
 }
 
 /// A ratio for each planned module.
@@ -87,8 +87,8 @@ Figure bulk_against_sloppy(const Results& results) {
     return results.ratio(long_name("bulk", m), long_name("meshopt_simplifySloppy as", m));
   });
   for (Ratio& ratio : f.ratios) {
-    const Json& score = (*results.find("bulk " + ratio.of))["score"];
-    const std::size_t edges = score.is_null() ? 0 : score["nonmanifold_edges"].get<std::size_t>();
+    const Json& score = (*results.find("bulk " + ratio.of)).at("score");
+    const std::size_t edges = score.is_null() ? 0 : score.at("nonmanifold_edges").get<std::size_t>();
     if (edges > 0) ratio.remark = std::to_string(edges) + " non-manifold edges";
   }
   return f;
@@ -129,9 +129,9 @@ Figure memory(const Results& results, const char* method, const char* against, d
   Figure f{std::string("peak memory, ") + method, against, "", "", Figure::Bound::at_most, goal, {}};
   f.ratios = of_planned([&](const char* m) -> std::optional<double> {
     const Json* result = results.find(long_name(method, m));
-    if (!result || (*result)["memory"].is_null()) return std::nullopt;
-    const double loaded = (*result)["memory"]["loaded_bytes"];
-    return (*result)["memory"]["peak_bytes"].get<double>() / loaded;
+    if (!result || (*result).at("memory").is_null()) return std::nullopt;
+    const double loaded = (*result).at("memory").at("loaded_bytes");
+    return (*result).at("memory").at("peak_bytes").get<double>() / loaded;
   });
   return f;
 }
@@ -165,19 +165,19 @@ bool Figure::reached() const {
 }
 
 std::vector<Figure> figures(const Json& run) {
-  const bool assertions = run["openmesh_core"]["assertions"];
+  const bool assertions = run.at("openmesh_core").at("assertions");
   std::vector<Figure> all;
   const auto keep = [&](Figure f, const Results& results) {
     if (f.ratios.empty()) return;
     f.model = results.name();
-    f.core = run["openmesh_core"]["label"];
+    f.core = run.at("openmesh_core").at("label");
     all.push_back(std::move(f));
   };
-  for (const Json& suite : run["suites"]) {
-    const Json& models = suite["models"];
+  for (const Json& suite : run.at("suites")) {
+    const Json& models = suite.at("models");
     for (const Json& model : models) {
       const Results results(model);
-      if (suite["suite"] == "growth") {
+      if (suite.at("suite") == "growth") {
         if (&model == &models.front()) continue;
         const Results smallest(models.front());
         for (const char* method : {"sweep", "bulk"}) keep(growth(smallest, results, method), results);

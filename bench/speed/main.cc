@@ -42,7 +42,6 @@ void run(const speed::CommandLine& line) {
   speed::Json run = speed::run_json(speed::allowed_threads(), line.only_text);
   bool checked = false;
   for (const speed::Suite suite : line.suites) {
-    progress.say("reading the models");
     const auto subjects = speed::load_models(line.models, WHITTLE_ASSET_CACHE, suite, line.subdivisions);
     if (!checked) {  // before the long part
       std::filesystem::create_directories(line.out);

@@ -27,25 +27,26 @@ std::string text(const Json& value) {
 }
 
 std::string core_of(const Json& run) {
-  return text(run["openmesh_core"]["label"]);
+  return text(run.at("openmesh_core").at("label"));
 }
 
 void write_run(std::ostream& out, const Json& run) {
-  const Json& build = run["build"];
-  out << "- OpenMesh's core **" << core_of(run) << "**, " << text(run["date_utc"]) << ": "
-      << text(run["machine"]["cpu_model"]) << ", " << run["settings"]["threads"] << " threads, "
-      << number(run["machine"]["memory_bytes"].get<double>() / (1u << 30), 0) << " GiB; "
-      << text(build["compiler"]) << ", `" << text(build["flags"]) << "`; commit " << text(build["git_commit"])
-      << (build["git_dirty"] == true ? " with changes" : "");
-  for (const auto& [name, version] : run["libraries"].items()) out << "; " << name << " " << text(version);
-  if (!run["settings"]["only"].is_null()) out << "; only `" << text(run["settings"]["only"]) << "`";
+  const Json& build = run.at("build");
+  out << "- OpenMesh's core **" << core_of(run) << "**, " << text(run.at("date_utc")) << ": "
+      << text(run.at("machine").at("cpu_model")) << ", " << run.at("settings").at("threads") << " threads, "
+      << number(run.at("machine").at("memory_bytes").get<double>() / (1u << 30), 0) << " GiB; "
+      << text(build.at("compiler")) << ", `" << text(build.at("flags")) << "`; commit "
+      << text(build.at("git_commit")) << (build.at("git_dirty") == true ? " with changes" : "");
+  for (const auto& [name, version] : run.at("libraries").items()) out << "; " << name << " " << text(version);
+  if (!run.at("settings").at("only").is_null())
+    out << "; only `" << text(run.at("settings").at("only")) << "`";
   out << "\n";
-  for (const Json& suite : run["suites"]) {
-    out << "  - " << text(suite["suite"]) << ", " << suite["rounds"] << " rounds:";
+  for (const Json& suite : run.at("suites")) {
+    out << "  - " << text(suite.at("suite")) << ", " << suite.at("rounds") << " rounds:";
     const char* separator = " ";
-    for (const Json& model : suite["models"]) {
-      out << separator << text(model["name"]) << " (" << model["vertices"] << " vertices, " << model["faces"]
-          << " triangles, checksum " << text(model["checksum"]) << ")";
+    for (const Json& model : suite.at("models")) {
+      out << separator << text(model.at("name")) << " (" << model.at("vertices") << " vertices, "
+          << model.at("faces") << " triangles, checksum " << text(model.at("checksum")) << ")";
       separator = ", ";
     }
     out << "\n";
@@ -75,12 +76,12 @@ void write_figures(std::ostream& out, const std::vector<Json>& runs) {
 /// "1.23 (1.20..1.31)" in milliseconds: the median and the quartiles.
 std::string milliseconds(const Json& times) {
   if (times.is_null()) return "";
-  const auto ms = [&](const char* key) { return short_number(1000 * times[key].get<double>()); };
+  const auto ms = [&](const char* key) { return short_number(1000 * times.at(key).get<double>()); };
   return ms("median") + " (" + ms("lower_quartile") + ".." + ms("upper_quartile") + ")";
 }
 
 std::string median_milliseconds(const Json& times) {
-  return times.is_null() ? "" : short_number(1000 * times["median"].get<double>());
+  return times.is_null() ? "" : short_number(1000 * times.at("median").get<double>());
 }
 
 void write_score(std::ostream& out, const Json& score) {
@@ -88,34 +89,35 @@ void write_score(std::ostream& out, const Json& score) {
     out << " | | | | | |";
     return;
   }
-  out << " " << score["faces"] << " |";
-  const Json& distance = score["distance"];
+  out << " " << score.at("faces") << " |";
+  const Json& distance = score.at("distance");
   if (distance.is_null())
     out << " | | | |";
   else
-    out << " " << number(distance["rms_percent_of_diagonal"], 4) << " | "
-        << number(distance["mean_percent_of_diagonal"], 4) << " | "
-        << number(distance["max_percent_of_diagonal"], 3) << " | " << distance["flipped_faces"] << " |";
-  out << " " << score["nonmanifold_edges"] << " |";
+    out << " " << number(distance.at("rms_percent_of_diagonal"), 4) << " | "
+        << number(distance.at("mean_percent_of_diagonal"), 4) << " | "
+        << number(distance.at("max_percent_of_diagonal"), 3) << " | " << distance.at("flipped_faces") << " |";
+  out << " " << score.at("nonmanifold_edges") << " |";
 }
 
 void write_model(std::ostream& out, const Json& run, const Json& suite, const Json& model) {
-  out << "## " << text(model["name"]) << ", " << text(suite["suite"]) << ", core " << core_of(run) << "\n\n"
-      << model["faces"] << " triangles";
-  if (model["faces_refused_by_openmesh"] != 0)
-    out << ", of which OpenMesh does not take " << model["faces_refused_by_openmesh"];
+  out << "## " << text(model.at("name")) << ", " << text(suite.at("suite")) << ", core " << core_of(run)
+      << "\n\n"
+      << model.at("faces") << " triangles";
+  if (model.at("faces_refused_by_openmesh") != 0)
+    out << ", of which OpenMesh does not take " << model.at("faces_refused_by_openmesh");
   out << ". Times in milliseconds, median (quartiles); distances in percent of the diagonal, two-sided.\n\n"
       << "| contender | decimation, ms | load | unload | faces | RMS | mean | max | flipped | non-manifold "
          "edges "
          "| peak / loaded memory |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (const Json& result : model["results"]) {
-    out << "| " << text(result["name"]) << " | " << milliseconds(result["seconds"]) << " | "
-        << median_milliseconds(result["load_seconds"]) << " | "
-        << median_milliseconds(result["unload_seconds"]) << " |";
-    write_score(out, result["score"]);
-    const Json& memory = result["memory"];
-    const double loaded = memory.is_null() ? 0 : memory["loaded_bytes"].get<double>();
-    out << " " << (loaded > 0 ? short_number(memory["peak_bytes"].get<double>() / loaded) : "") << " |\n";
+  for (const Json& result : model.at("results")) {
+    out << "| " << text(result.at("name")) << " | " << milliseconds(result.at("seconds")) << " | "
+        << median_milliseconds(result.at("load_seconds")) << " | "
+        << median_milliseconds(result.at("unload_seconds")) << " |";
+    write_score(out, result.at("score"));
+    const Json& memory = result.at("memory");
+    const double loaded = memory.is_null() ? 0 : memory.at("loaded_bytes").get<double>();
+    out << " " << (loaded > 0 ? short_number(memory.at("peak_bytes").get<double>() / loaded) : "") << " |\n";
   }
   out << "\n";
 }
@@ -123,21 +125,21 @@ void write_model(std::ostream& out, const Json& run, const Json& suite, const Js
 /// Where the time of the contenders goes that tell it.
 void write_phases(std::ostream& out, const Json& model) {
   const Json* copy = nullptr;
-  for (const Json& result : model["results"])
-    if (result["method"] == "copy of the arrays") copy = &result["seconds"];
+  for (const Json& result : model.at("results"))
+    if (result.at("method") == "copy of the arrays") copy = &result.at("seconds");
   bool begun = false;
-  for (const Json& result : model["results"]) {
-    if (result["phase_seconds"].empty()) continue;
+  for (const Json& result : model.at("results")) {
+    if (result.at("phase_seconds").empty()) continue;
     if (!begun) out << "| parts, ms | | × copy of the arrays |\n|---|---|--:|\n";
     begun = true;
-    out << "| " << text(result["name"]) << " | ";
+    out << "| " << text(result.at("name")) << " | ";
     const char* separator = "";
-    for (const auto& [name, times] : result["phase_seconds"].items()) {
+    for (const auto& [name, times] : result.at("phase_seconds").items()) {
       out << separator << name << " " << median_milliseconds(times);
       separator = ", ";
     }
-    const double floor = copy && !copy->is_null() ? (*copy)["median"].get<double>() : 0;
-    out << " | " << (floor > 0 ? short_number(result["seconds"]["median"].get<double>() / floor) : "")
+    const double floor = copy && !copy->is_null() ? (*copy).at("median").get<double>() : 0;
+    out << " | " << (floor > 0 ? short_number(result.at("seconds").at("median").get<double>() / floor) : "")
         << " |\n";
   }
   if (begun) out << "\n";
@@ -152,8 +154,8 @@ std::string markdown(const std::vector<Json>& runs) {
   out << "\n";
   write_figures(out, runs);
   for (const Json& run : runs)
-    for (const Json& suite : run["suites"])
-      for (const Json& model : suite["models"]) {
+    for (const Json& suite : run.at("suites"))
+      for (const Json& model : suite.at("models")) {
         write_model(out, run, suite, model);
         write_phases(out, model);
       }

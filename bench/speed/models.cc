@@ -1,6 +1,7 @@
 #include "speed/models.hh"
 
 #include <stdexcept>
+#include <utility>
 
 #include "files/MeshFile.hh"
 #include "speed/subdivide.hh"
@@ -20,7 +21,11 @@ std::vector<Subject> load_models(std::vector<std::filesystem::path> files, const
   for (const auto& file : files) {
     const auto read = files::read_mesh(file);
     if (read.mesh.triangles.empty()) throw std::runtime_error(file.string() + ": there is no triangle");
-    subjects.push_back(make_subject(file.stem().string(), in_float(read.mesh)));
+    Arrays arrays = in_float(read.mesh);
+    for (const auto& p : arrays.points)
+      if (!p.allFinite())
+        throw std::runtime_error(file.string() + ": a coordinate is too large for single precision");
+    subjects.push_back(make_subject(file.stem().string(), std::move(arrays)));
   }
   if (suite == Suite::growth) {
     std::string name = subjects.back().name;

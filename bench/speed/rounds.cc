@@ -1,5 +1,8 @@
 #include "speed/rounds.hh"
 
+#include <algorithm>
+#include <random>
+
 #include "recipe/Stopwatch.hh"
 #include "speed/memory.hh"
 
@@ -75,11 +78,10 @@ std::vector<ModelResults> run_rounds(Suite suite, const std::vector<Subject>& su
       rehearse(*model.subject, scorer, result);
     }
   }
+  std::mt19937 random(1);
   for (std::size_t round = 0; round < rounds; ++round) {
-    // Far apart, so that each contender meets other neighbours, too.
-    const std::size_t start = round * visits.size() / rounds;
-    for (std::size_t i = 0; i < visits.size(); ++i) {
-      const auto& [subject, result] = visits[(start + i) % visits.size()];
+    std::shuffle(visits.begin(), visits.end(), random);
+    for (const auto& [subject, result] : visits) {
       progress.step("round " + std::to_string(round + 1) + " of " + std::to_string(rounds) + ", " +
                     subject->name + ", " + result->entry.name());
       if (result->entry.heavy && is_large(*subject) && round >= kHeavyRounds) continue;

@@ -40,9 +40,9 @@ struct ModelResults {
   std::vector<Result> results;
 };
 
-/// Every round visits every contender on every model, each time beginning with another one, so that a machine
-/// that grows slower or faster meets all alike. The first round is preceded by an untimed one, in which
-/// memory is counted, and results are scored.
+/// Every round visits every contender on every model, in an order of its own (shuffled, the same on every
+/// run), so that a machine that grows slower or faster meets all alike and no contender always follows the
+/// same other. The rounds are preceded by an untimed one, in which memory is counted and results are scored.
 std::vector<ModelResults> run_rounds(Suite suite, const std::vector<Subject>& subjects, std::size_t rounds,
                                      const std::optional<std::regex>& only, bench::Progress& progress);
 

@@ -8,8 +8,7 @@
 
 namespace whittle::speed {
 
-/// A planned module of the benchmark: its name and how many faces it leaves.
-/// \return for each planned module the number of faces that the bulk executor leaves.
+/// For each planned module its name and how many faces it leaves.
 std::vector<Target> planned_faces(const Subject& subject);
 
 /// Thresholds of the planned modules, in mean edges; with Stanford's bunny, whose mean edge is 0.00147, they
