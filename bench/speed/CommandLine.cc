@@ -36,6 +36,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       ->check(CLI::IsMember({"figures", "growth", "all"}));
   app.add_option("--rounds", line.rounds, "How often each contender is timed (default: 7; growth: 3)")
       ->check(CLI::Range(1, 1000));
+  app.add_option("--samples", line.samples, "Samples a side for the distances of the results")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100000000));
   app.add_option("--subdivisions", line.subdivisions,
                  "growth: the last model is cut 1 to 4 up to so many times")
       ->capture_default_str()

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "speed/lineup.hh"
+#include "speed/rounds.hh"
 
 namespace whittle::speed {
 
@@ -24,7 +24,8 @@ struct CommandLine {
   std::vector<std::filesystem::path> models;  ///< none: those in the cache of assets
   std::vector<Suite> suites = {Suite::figures};
   std::optional<std::size_t> rounds;  ///< none: the suite's
-  std::size_t subdivisions = 2;       ///< of the last model of the growth suite
+  std::size_t samples = Settings().samples;
+  std::size_t subdivisions = 2;  ///< of the last model of the growth suite
   std::optional<std::string> only_text;
   std::optional<std::regex> only;
   std::optional<unsigned> threads;  ///< none: all that the process may use
@@ -34,7 +35,9 @@ struct CommandLine {
   bool quiet = false;
   std::string answer;  ///< the text of --help or --version: print it and be done
 
-  std::size_t rounds_of(Suite suite) const { return rounds.value_or(suite == Suite::figures ? 7 : 3); }
+  Settings settings(Suite suite) const {
+    return {suite, rounds.value_or(suite == Suite::figures ? 7 : 3), only, samples};
+  }
 };
 
 /// \throw UsageError

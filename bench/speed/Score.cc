@@ -18,7 +18,9 @@ Score Scorer::score(const Arrays& result) {
   score.nonmanifold_edges = facts.nonmanifold_edges;
   score.checksum = sum;
   try {
-    if (distances_) score.distance = measure::distance(in_double(subject_.arrays), mesh);
+    measure::DistanceOptions options;
+    options.samples = samples_;
+    if (samples_ > 0) score.distance = measure::distance(in_double(subject_.arrays), mesh, options);
   } catch (const InvalidMesh&) {
     // Nothing with an area is left: there is no distance to it.
   }

@@ -21,14 +21,15 @@ struct Score {
 /// Scores results against one original. A mesh that was scored before, bit for bit, is not measured again.
 class Scorer {
  public:
-  /// \param distances  whether to measure distances and flips, which takes long for millions of faces.
-  Scorer(const Subject& subject, bool distances) : subject_(subject), distances_(distances) {}
+  /// \param samples  a side, for distances and flips; 0 leaves them out, since they take long for millions of
+  /// faces.
+  Scorer(const Subject& subject, std::size_t samples) : subject_(subject), samples_(samples) {}
 
   Score score(const Arrays& result);
 
  private:
   const Subject& subject_;
-  bool distances_;
+  std::size_t samples_;
   std::map<std::uint64_t, Score> known_;
 };
 

@@ -85,7 +85,7 @@ Json run_json(unsigned threads, const std::optional<std::string>& only) {
           {"suites", Json::array()}};
 }
 
-Json suite_json(Suite suite, std::size_t rounds, const std::vector<ModelResults>& models) {
+Json suite_json(const Settings& settings, const std::vector<ModelResults>& models) {
   Json list = Json::array();
   for (const ModelResults& model : models) {
     const Subject& subject = *model.subject;
@@ -100,7 +100,10 @@ Json suite_json(Suite suite, std::size_t rounds, const std::vector<ModelResults>
                     {"checksum", hexadecimal(subject.checksum)},
                     {"results", results}});
   }
-  return {{"suite", to_string(suite)}, {"rounds", rounds}, {"models", list}};
+  return {{"suite", to_string(settings.suite)},
+          {"rounds", settings.rounds},
+          {"samples", settings.samples},
+          {"models", list}};
 }
 
 Json read_run(const std::filesystem::path& path) {

@@ -22,7 +22,7 @@ inline constexpr int kSchemaVersion = 1;
 Json run_json(unsigned threads, const std::optional<std::string>& only);
 
 /// One suite, to be added to the run's "suites".
-Json suite_json(Suite suite, std::size_t rounds, const std::vector<ModelResults>& models);
+Json suite_json(const Settings& settings, const std::vector<ModelResults>& models);
 
 /// \throw std::runtime_error  the file cannot be read or is no run of this schema.
 Json read_run(const std::filesystem::path& path);

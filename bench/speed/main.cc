@@ -48,9 +48,8 @@ void run(const speed::CommandLine& line) {
       files::check_creatable(file(line, ".json"));
       checked = true;
     }
-    const std::size_t rounds = line.rounds_of(suite);
-    run["suites"].push_back(
-        speed::suite_json(suite, rounds, speed::run_rounds(suite, subjects, rounds, line.only, progress)));
+    const auto settings = line.settings(suite);
+    run["suites"].push_back(speed::suite_json(settings, speed::run_rounds(settings, subjects, progress)));
   }
   // A file name need not be UTF-8; a replacement character is better than no results.
   files::write_file(file(line, ".json"),

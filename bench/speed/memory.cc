@@ -22,14 +22,18 @@ void* counted(void* block) {
   return block;
 }
 
-void* take(std::size_t size) {
-  if (void* block = counted(std::malloc(size ? size : 1))) return block;
-  throw std::bad_alloc();
+void* try_take(std::size_t size) {
+  return counted(std::malloc(size ? size : 1));
 }
 
-void* take(std::size_t size, std::align_val_t alignment) {
+void* try_take(std::size_t size, std::align_val_t alignment) {
   const auto align = static_cast<std::size_t>(alignment);
-  if (void* block = counted(std::aligned_alloc(align, (size + align) / align * align))) return block;
+  return counted(std::aligned_alloc(align, (size + align) / align * align));
+}
+
+template <typename... Arguments>
+void* take(Arguments... arguments) {
+  if (void* block = try_take(arguments...)) return block;
   throw std::bad_alloc();
 }
 
@@ -41,12 +45,30 @@ void give_back(void* block) {
 
 }  // namespace
 
-// The forms for arrays and those that do not throw end up here, too: the standard library's call these.
+// All forms, since a sanitizer's runtime brings its own of each, and those do not call these.
 void* operator new(std::size_t size) {
   return take(size);
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return take(size, alignment);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return try_take(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return try_take(size, alignment);
+}
+void* operator new[](std::size_t size) {
+  return take(size);
+}
+void* operator new[](std::size_t size, std::align_val_t alignment) {
+  return take(size, alignment);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return try_take(size);
+}
+void* operator new[](std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return try_take(size, alignment);
 }
 void operator delete(void* block) noexcept {
   give_back(block);
@@ -58,6 +80,30 @@ void operator delete(void* block, std::align_val_t) noexcept {
   give_back(block);
 }
 void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
+  give_back(block);
+}
+void operator delete(void* block, const std::nothrow_t&) noexcept {
+  give_back(block);
+}
+void operator delete(void* block, std::align_val_t, const std::nothrow_t&) noexcept {
+  give_back(block);
+}
+void operator delete[](void* block) noexcept {
+  give_back(block);
+}
+void operator delete[](void* block, std::size_t) noexcept {
+  give_back(block);
+}
+void operator delete[](void* block, std::align_val_t) noexcept {
+  give_back(block);
+}
+void operator delete[](void* block, std::size_t, std::align_val_t) noexcept {
+  give_back(block);
+}
+void operator delete[](void* block, const std::nothrow_t&) noexcept {
+  give_back(block);
+}
+void operator delete[](void* block, std::align_val_t, const std::nothrow_t&) noexcept {
   give_back(block);
 }
 

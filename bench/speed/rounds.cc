@@ -57,22 +57,24 @@ void time(const Subject& subject, Result& result) {
 
 }  // namespace
 
-std::vector<ModelResults> run_rounds(Suite suite, const std::vector<Subject>& subjects, std::size_t rounds,
-                                     const std::optional<std::regex>& only, bench::Progress& progress) {
+std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector<Subject>& subjects,
+                                     bench::Progress& progress) {
+  const std::size_t rounds = settings.rounds;
   std::vector<ModelResults> models;
   std::vector<std::pair<const Subject*, Result*>> visits;
   for (const Subject& subject : subjects) {
     progress.say(subject.name + ": planning");
     ModelResults& model = models.emplace_back();
     model.subject = &subject;
-    for (Entry& entry : lineup(suite, subject, only)) model.results.emplace_back().entry = std::move(entry);
+    for (Entry& entry : lineup(settings.suite, subject, settings.only))
+      model.results.emplace_back().entry = std::move(entry);
   }
   for (ModelResults& model : models)
     for (Result& result : model.results) visits.emplace_back(model.subject, &result);
 
   progress.expect(visits.size() * (rounds + 1));
   for (ModelResults& model : models) {
-    Scorer scorer(*model.subject, suite == Suite::figures);
+    Scorer scorer(*model.subject, settings.suite == Suite::figures ? settings.samples : 0);
     for (Result& result : model.results) {
       progress.step("scoring, " + model.subject->name + ", " + result.entry.name());
       rehearse(*model.subject, scorer, result);

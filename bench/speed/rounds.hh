@@ -20,6 +20,13 @@ namespace whittle::speed {
 inline constexpr std::size_t kLargeFaces = 500000;
 inline constexpr std::size_t kHeavyRounds = 3;
 
+struct Settings {
+  Suite suite = Suite::figures;
+  std::size_t rounds = 7;
+  std::optional<std::regex> only;  ///< contenders in whose name it is found
+  std::size_t samples = 200000;    ///< a side, for distances
+};
+
 /// Bytes on the heap.
 struct Memory {
   std::int64_t loaded = 0;  ///< the model in the contender's own form, or the arrays it reads in place
@@ -43,7 +50,7 @@ struct ModelResults {
 /// Every round visits every contender on every model, in an order of its own (shuffled, the same on every
 /// run), so that a machine that grows slower or faster meets all alike and no contender always follows the
 /// same other. The rounds are preceded by an untimed one, in which memory is counted and results are scored.
-std::vector<ModelResults> run_rounds(Suite suite, const std::vector<Subject>& subjects, std::size_t rounds,
-                                     const std::optional<std::regex>& only, bench::Progress& progress);
+std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector<Subject>& subjects,
+                                     bench::Progress& progress);
 
 }  // namespace whittle::speed

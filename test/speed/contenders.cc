@@ -74,7 +74,7 @@ TEST_CASE("every contender is timed in every round, scored and counted") {
   std::ostringstream quiet;
   bench::Progress progress(quiet, bench::ProgressStyle::silent);
   std::vector<speed::Subject> subjects(1, torus());
-  const auto models = speed::run_rounds(speed::Suite::figures, subjects, 2, std::nullopt, progress);
+  const auto models = speed::run_rounds({speed::Suite::figures, 2, std::nullopt, 500}, subjects, progress);
   REQUIRE(models.size() == 1);
   const auto array_bytes = static_cast<std::int64_t>(torus().array_bytes());
   for (const auto& result : models[0].results) {

@@ -2,7 +2,9 @@
 
 #include <malloc.h>
 
+#include <array>
 #include <memory>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -60,6 +62,25 @@ TEST_CASE("the peak is of what lives at once, and can be restarted") {
   CHECK(one_after_the_other == first);
   CHECK(both == 2 * first);
   CHECK(restarted == first);
+}
+
+TEST_CASE("every form of new is counted, and given back") {
+  std::int64_t least = 0, left = 0;
+  {
+    const MemoryCount count;
+    auto* one = new (std::nothrow) std::array<char, 1000>;
+    auto* several = new (std::nothrow) std::array<char, 1000>[2];
+    auto* line = new (std::nothrow) Line;
+    auto* lines = new Line[3];
+    least = count.live();
+    delete one;
+    delete[] several;
+    delete line;
+    delete[] lines;
+    left = count.live();
+  }
+  CHECK(least >= 3000 + 4 * 64);
+  CHECK(left == 0);
 }
 
 TEST_CASE("aligned blocks and other threads count, what is not counted does not") {

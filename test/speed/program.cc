@@ -24,8 +24,8 @@ std::string torus_in(const programs::Folder& folder) {
 TEST_CASE("one round on a small mesh leaves a record with everybody in it, and a page") {
   const programs::Folder folder;
   const std::string out = folder / "r";
-  const auto done =
-      programs::run(WHITTLE_SPEED_PROGRAM, {torus_in(folder), "--rounds", "1", "--out", out, "--quiet"});
+  const auto done = programs::run(WHITTLE_SPEED_PROGRAM, {torus_in(folder), "--rounds", "1", "--samples",
+                                                          "500", "--out", out, "--quiet"});
   CHECK(done.code == 0);
   CHECK(done.err.empty());
   CHECK(done.out.empty());
@@ -37,6 +37,7 @@ TEST_CASE("one round on a small mesh leaves a record with everybody in it, and a
   const Json& model = run["suites"][0]["models"][0];
   CHECK(model["name"] == "torus");
   CHECK(model["faces"] == 768);
+  CHECK(run["suites"][0]["samples"] == 500);
   std::set<std::string> names;
   for (const Json& result : model["results"]) {
     names.insert(result["name"]);

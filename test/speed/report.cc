@@ -13,9 +13,8 @@ TEST_CASE("the page holds the machine, the goals and every contender") {
   std::ostringstream quiet;
   bench::Progress progress(quiet, bench::ProgressStyle::silent);
   auto run = speed::run_json(2, "vt");
-  run["suites"].push_back(speed::suite_json(
-      speed::Suite::figures, 1,
-      speed::run_rounds(speed::Suite::figures, subjects, 1, std::regex("vt|copy"), progress)));
+  const speed::Settings settings{speed::Suite::figures, 1, std::regex("vt|copy"), 500};
+  run["suites"].push_back(speed::suite_json(settings, speed::run_rounds(settings, subjects, progress)));
   auto other = run;
   other["openmesh_core"]["label"] = "of another kind";
   const std::string page = speed::markdown({run, other});
