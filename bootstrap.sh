@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # Installs what Whittle is built and tested with, on Debian 12, by package name. Safe to run again.
+#   bootstrap.sh [--peers]
+# --peers  also CGAL and VTK, which the speed benchmark compares with where they are installed: some 200 packages more
 set -euo pipefail
 
 packages=(
@@ -14,6 +16,15 @@ packages=(
   # Tests, and certificates for those who fetch over HTTPS.
   catch2 ca-certificates
 )
+
+case ${1:-} in
+  "") ;;
+  --peers) packages+=(libcgal-dev libvtk9-dev) ;;
+  *)
+    echo "usage: bootstrap.sh [--peers]" >&2
+    exit 2
+    ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

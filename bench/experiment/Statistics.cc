@@ -12,6 +12,14 @@ Summary summarise(std::vector<double> values) {
   return {median, values.front(), values.back()};
 }
 
+double quantile(std::vector<double> values, double fraction) {
+  std::sort(values.begin(), values.end());
+  const double place = fraction * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
 double improvement_percent(double original_time, double time) {
   return 100 * (original_time / time - 1);
 }

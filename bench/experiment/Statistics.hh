@@ -15,6 +15,11 @@ struct Summary {
 /// \pre `values` is not empty.
 Summary summarise(std::vector<double> values);
 
+/// The value below which a fraction of the values lies, by linear interpolation: 0.25 is the lower quartile,
+/// 0.5 the median.
+/// \pre `values` is not empty, `fraction` in [0, 1].
+double quantile(std::vector<double> values, double fraction);
+
 /// The paper's "improvement": by how much the frames per second rise, in percent. A frame in half the time is
 /// +100.
 double improvement_percent(double original_time, double time);

@@ -34,7 +34,7 @@ std::string escaped(const std::string& text) {
 }
 
 void write_header(std::ostream& out, const Report& report) {
-  const auto& [gl, cpu, threads, compiler, build_type, commit, dirty, date] = report.environment;
+  const Environment& environment = report.environment;
   const Settings& settings = report.settings;
   const auto& original = report.sets.front().facts;
   out << "# Render benchmark: " << escaped(report.model.label) << "\n\n";
@@ -46,12 +46,12 @@ void write_header(std::ostream& out, const Report& report) {
       << " pixels, off-screen, one sample a pixel\n"
       << "- Frames: number " << settings.frames.from << " up to " << settings.frames.to << ", that is "
       << settings.frames.timed() << " frames in one span; " << settings.repetitions << " repetitions\n"
-      << "- Renderer: " << escaped(gl.renderer) << "; " << escaped(gl.vendor) << "; OpenGL "
-      << escaped(gl.version) << "; " << escaped(gl.device) << "\n"
-      << "- Processor: " << escaped(cpu) << ", " << threads << " threads\n"
-      << "- Build: " << escaped(compiler) << ", " << build_type << ", commit " << commit
-      << (dirty ? " with changes" : "") << "\n"
-      << "- Date: " << date << "\n\n";
+      << "- Renderer: " << escaped(environment.gl.renderer) << "; " << escaped(environment.gl.vendor)
+      << "; OpenGL " << escaped(environment.gl.version) << "; " << escaped(environment.gl.device) << "\n"
+      << "- Processor: " << escaped(environment.cpu_model) << ", " << environment.cpu_threads << " threads\n"
+      << "- Build: " << escaped(environment.compiler) << ", " << environment.build_type << ", commit "
+      << environment.commit << (environment.commit_dirty ? " with changes" : "") << "\n"
+      << "- Date: " << environment.date_utc << "\n\n";
 }
 
 void write_table(std::ostream& out, const Report& report) {

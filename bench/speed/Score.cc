@@ -1,0 +1,30 @@
+#include "speed/Score.hh"
+
+#include "measure/MeshFacts.hh"
+#include "whittle/errors.hh"
+
+namespace whittle::speed {
+
+Score Scorer::score(const Arrays& result) {
+  const std::uint64_t sum = checksum(result);
+  const auto known = known_.find(sum);
+  if (known != known_.end()) return known->second;
+
+  Score score;
+  const IndexedMesh mesh = in_double(result);
+  const auto facts = measure::facts(mesh);
+  score.vertices = facts.vertices;
+  score.faces = facts.faces;
+  score.nonmanifold_edges = facts.nonmanifold_edges;
+  score.checksum = sum;
+  try {
+    measure::DistanceOptions options;
+    options.samples = samples_;
+    if (samples_ > 0) score.distance = measure::distance(in_double(subject_.arrays), mesh, options);
+  } catch (const InvalidMesh&) {
+    // Nothing with an area is left: there is no distance to it.
+  }
+  return known_[sum] = score;
+}
+
+}  // namespace whittle::speed

@@ -1,0 +1,31 @@
+/// \file
+/// Whittle's own contenders and OpenMesh's.
+#pragma once
+
+#include <vector>
+
+#include "speed/Contender.hh"
+
+namespace whittle::speed {
+
+/// For each planned module its name and how many faces it leaves.
+std::vector<Target> planned_faces(const Subject& subject);
+
+/// Thresholds of the planned modules, in mean edges; with Stanford's bunny, whose mean edge is 0.00147, they
+/// are about the papers' 0.0011 for a distance and 0.0012 for a radius. FAD goes up to 30 degrees.
+inline constexpr double kDistanceInEdges = 0.75, kRadiusInEdges = 0.82;
+
+/// Planned modules on arrays.
+std::vector<Entry> bulk_entries(const Subject& subject);
+/// Planned modules in the sweep.
+std::vector<Entry> sweep_entries(const Subject& subject);
+/// Planned modules in LazyDecimaterT and in OpenMesh's DecimaterT.
+std::vector<Entry> planned_decimater_entries(const Subject& subject);
+/// ModQuadricT, alone and with ModNormalFlippingT, in LazyDecimaterT and in OpenMesh's decimaters.
+std::vector<Entry> quadric_entries(const std::vector<Target>& targets);
+/// compact() and garbage_collection() after the same decimation.
+std::vector<Entry> compaction_entries(const Subject& subject);
+/// What surrounds a decimation: the arrays copied once, and conversions from and to OpenMesh.
+std::vector<Entry> conversion_entries();
+
+}  // namespace whittle::speed

@@ -1,0 +1,53 @@
+#include "speed/lineup.hh"
+
+#include <algorithm>
+#include <iterator>
+
+#include "speed/contenders/contenders.hh"
+#include "speed/peers/peers.hh"
+
+namespace whittle::speed {
+namespace {
+
+void append(std::vector<Entry>& entries, std::vector<Entry> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(entries));
+}
+
+}  // namespace
+
+std::string to_string(Suite suite) {
+  return suite == Suite::figures ? "figures" : "growth";
+}
+
+std::vector<Entry> lineup(Suite suite, const Subject& subject, const std::optional<std::regex>& only) {
+  std::vector<Target> like_planned;
+  for (const Target& planned : planned_faces(subject))
+    like_planned.push_back({"as " + planned.name, planned.faces});
+  const std::vector<Target> shares = {{"50 %", subject.n_faces() / 2}, {"10 %", subject.n_faces() / 10}};
+
+  std::vector<Entry> entries = conversion_entries();
+  append(entries, bulk_entries(subject));
+  append(entries, sweep_entries(subject));
+  append(entries, meshopt_entries(like_planned));
+  if (suite == Suite::figures) {
+    append(entries, planned_decimater_entries(subject));
+    append(entries, meshopt_sloppy_entries(like_planned));
+    append(entries, quadric_entries(shares));
+    append(entries, meshopt_entries(shares));
+    append(entries, meshopt_sloppy_entries(shares));
+    append(entries, compaction_entries(subject));
+#ifdef WHITTLE_WITH_CGAL
+    append(entries, cgal_entries(shares));
+#endif
+#ifdef WHITTLE_WITH_VTK
+    append(entries, vtk_entries(shares));
+#endif
+  }
+  if (only) {
+    const auto left_out = [&](const Entry& entry) { return !std::regex_search(entry.name(), *only); };
+    entries.erase(std::remove_if(entries.begin(), entries.end(), left_out), entries.end());
+  }
+  return entries;
+}
+
+}  // namespace whittle::speed

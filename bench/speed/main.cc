@@ -1,0 +1,80 @@
+/// \file
+/// whittle-speed: how fast is a mesh decimated, and how well?
+#include <unistd.h>
+
+#include <iostream>
+
+#include "files/MeshFile.hh"
+#include "speed/CommandLine.hh"
+#include "speed/json.hh"
+#include "speed/markdown.hh"
+#include "speed/models.hh"
+#include "speed/threads.hh"
+
+namespace {
+
+namespace bench = whittle::bench;
+namespace files = whittle::files;
+namespace speed = whittle::speed;
+
+constexpr int kBadUsageOrInput = 2;
+
+bench::ProgressStyle progress_style(bool quiet) {
+  if (quiet) return bench::ProgressStyle::silent;
+  return isatty(STDERR_FILENO) == 1 ? bench::ProgressStyle::terminal : bench::ProgressStyle::lines;
+}
+
+std::filesystem::path file(const speed::CommandLine& line, const char* extension) {
+  return line.out / (line.name + extension);
+}
+
+void report(const speed::CommandLine& line) {
+  std::vector<speed::Json> runs;
+  for (const auto& path : line.report) runs.push_back(speed::read_run(path));
+  const std::string page = speed::markdown(runs);
+  std::filesystem::create_directories(line.out);
+  files::write_file(file(line, ".md"), page);
+}
+
+void run(const speed::CommandLine& line) {
+  bench::Progress progress(std::cerr, progress_style(line.quiet));
+  if (line.threads) speed::confine(*line.threads);
+  speed::Json run = speed::run_json(speed::allowed_threads(), line.only_text);
+  bool checked = false;
+  for (const speed::Suite suite : line.suites) {
+    const auto subjects = speed::load_models(line.models, WHITTLE_ASSET_CACHE, suite, line.subdivisions);
+    if (!checked) {  // before the long part
+      std::filesystem::create_directories(line.out);
+      files::check_creatable(file(line, ".json"));
+      checked = true;
+    }
+    const auto settings = line.settings(suite);
+    run["suites"].push_back(speed::suite_json(settings, speed::run_rounds(settings, subjects, progress)));
+  }
+  // A file name need not be UTF-8; a replacement character is better than no results.
+  files::write_file(file(line, ".json"),
+                    run.dump(2, ' ', false, speed::Json::error_handler_t::replace) + "\n");
+  files::write_file(file(line, ".md"), speed::markdown({run}));
+  progress.clear();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const auto line = speed::parse_command_line(argc, argv);
+    if (!line.answer.empty()) {
+      std::cout << line.answer;
+      return 0;
+    }
+    if (line.report.empty())
+      run(line);
+    else
+      report(line);
+    if (!line.quiet) std::cout << "results are in " << file(line, ".md").string() << "\n";
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "whittle-speed: " << error.what() << "\n";
+    return kBadUsageOrInput;
+  }
+}

@@ -1,0 +1,96 @@
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include "speed/peers/peers.hh"
+
+namespace whittle::speed {
+namespace {
+
+namespace sms = CGAL::Surface_mesh_simplification;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+/// CGAL stops by edges; of a closed mesh there are three for two faces.
+sms::Count_stop_predicate<Mesh> stop_at(std::size_t faces) {
+  return sms::Count_stop_predicate<Mesh>(faces + faces / 2 + 1);
+}
+
+/// CGAL's defaults.
+void lindstrom_turk(Mesh& mesh, std::size_t faces) {
+  sms::edge_collapse(mesh, stop_at(faces));
+}
+
+/// As in CGAL's own example: plane quadrics, and no placement that turns a normal too far.
+void garland_heckbert(Mesh& mesh, std::size_t faces) {
+  using Policies = sms::GarlandHeckbert_plane_policies<Mesh, Kernel>;
+  const Policies policies(mesh);
+  const sms::Bounded_normal_change_placement<Policies::Get_placement> placement(policies.get_placement());
+  sms::edge_collapse(mesh, stop_at(faces),
+                     CGAL::parameters::get_cost(policies.get_cost()).get_placement(placement));
+}
+
+class CgalContender : public Contender {
+ public:
+  using Simplify = void (*)(Mesh&, std::size_t);
+  CgalContender(Simplify simplify, std::size_t faces) : simplify_(simplify), faces_(faces) {}
+
+  void load(const Subject& subject) override {
+    const Arrays& arrays = subject.arrays;
+    const auto n = [](std::size_t count) { return static_cast<Mesh::size_type>(count); };
+    mesh_.reserve(n(arrays.points.size()), n(arrays.triangles.size() * 3 / 2), n(arrays.triangles.size()));
+    for (const auto& p : arrays.points)
+      mesh_.add_vertex(Kernel::Point_3(double(p[0]), double(p[1]), double(p[2])));
+    for (const auto& t : arrays.triangles)
+      mesh_.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  }
+
+  void decimate(Phases&) override { simplify_(mesh_, faces_); }
+
+  Arrays unload() override {
+    mesh_.collect_garbage();
+    Arrays out;
+    for (const auto v : mesh_.vertices()) {
+      const auto& p = mesh_.point(v);
+      out.points.push_back(Eigen::Vector3d(p.x(), p.y(), p.z()).cast<float>());
+    }
+    for (const auto f : mesh_.faces()) {
+      Arrays::Triangle t{};
+      int i = 0;
+      for (const auto v : mesh_.vertices_around_face(mesh_.halfedge(f)))
+        t[i++] = static_cast<std::uint32_t>(v.idx());
+      out.triangles.push_back(t);
+    }
+    return out;
+  }
+
+ private:
+  Simplify simplify_;
+  std::size_t faces_;
+  Mesh mesh_;
+};
+
+}  // namespace
+
+std::vector<Entry> cgal_entries(const std::vector<Target>& targets) {
+  std::vector<Entry> entries;
+  for (const Target& target : targets) {
+    const auto add = [&](const char* method, CgalContender::Simplify simplify) {
+      Entry e;
+      e.method = method;
+      e.target = target.name;
+      e.target_faces = target.faces;
+      e.heavy = true;
+      e.make = [simplify, faces = target.faces] { return std::make_unique<CgalContender>(simplify, faces); };
+      entries.push_back(e);
+    };
+    add("CGAL Lindstrom-Turk", lindstrom_turk);
+    add("CGAL Garland-Heckbert", garland_heckbert);
+  }
+  return entries;
+}
+
+}  // namespace whittle::speed
