@@ -29,7 +29,7 @@ std::vector<Stage> group(const std::vector<Spec>& modules) {
     else
       stages.back().constraints.push_back(spec);
   }
-  if (stages.empty()) throw RecipeError("no module given");
+  if (stages.empty()) throw RecipeError("no module given, and no target that the default, mq, could go to");
   return stages;
 }
 
@@ -108,6 +108,7 @@ void run_stage(Stage stage, const Recipe& recipe, const Scale& scale, const Floo
   std::size_t max_passes = 1;
   if (find_module(stage.module.name).role == Role::planned) {
     planner = make_planner(stage.module, scale);
+    set_target(*planner, floor.faces, floor.vertices);
     max_passes = static_cast<std::size_t>(
         stage.module.number("passes").value_or(floor.any() ? double(kPassesToTarget) : 1.0));
     const std::string key = threshold_key(stage.module);
@@ -154,8 +155,9 @@ void check(const Recipe& recipe) {
     choose_driver(recipe.driver, stage);
     if (find_module(stage.module.name).role == Role::planned) make_planner(stage.module, {1, 1});
     if (!has_threshold(stage.module) && !has_default_threshold(stage.module) && !recipe.target.any())
-      throw RecipeError("module '" + stage.module.name + "' needs " + threshold_key(stage.module) +
-                        "=... or a target");
+      throw RecipeError(
+          "module '" + stage.module.name + "' needs " +
+          (threshold_key(stage.module).empty() ? "" : threshold_key(stage.module) + "=... or ") + "a target");
   }
   if (recipe.target.ratio && !(*recipe.target.ratio > 0 && *recipe.target.ratio < 1))
     throw RecipeError("the ratio must lie between 0 and 1, both ends excluded");

@@ -41,6 +41,7 @@ Planner make(const Spec& spec, const Scale& scale) {
   if (spec.name == "ss") return make_sphere_scan(spec, scale);
   if (spec.name == "fass") return Fass{{make_face_angle(spec), make_sphere_scan(spec, scale)}};
   if (spec.name == "vt") return make_triangle_planner<Circumcenter>(spec);
+  if (spec.name == "mq") return MemorylessQuadric();
   const double distance = spec.length("distance", scale).value_or(0);
   if (spec.name == "vtd") {
     auto planner = make_triangle_planner<VertexTripletDistance>(spec);
@@ -70,7 +71,8 @@ Planner make_planner(const Spec& spec, const Scale& scale) {
   const bool merge = spec.word("boundary") == "merge";
   const auto set = [&](auto& p) {
     if (guard) p.guard.min_cos = *guard;
-    if constexpr (!std::is_same_v<std::decay_t<decltype(p)>, Circumcenter>)
+    using P = std::decay_t<decltype(p)>;
+    if constexpr (!std::is_same_v<P, Circumcenter> && !std::is_same_v<P, MemorylessQuadric>)
       if (merge) p.boundary = Boundary::merge;
   };
   std::visit([&](auto& p) { for_each_planner(p, set); }, planner);
@@ -78,7 +80,7 @@ Planner make_planner(const Spec& spec, const Scale& scale) {
 }
 
 std::string threshold_key(const Spec& spec) {
-  if (spec.name == "vt") return "";
+  if (spec.name == "vt" || spec.name == "mq") return "";
   if (spec.name == "fad") return "angle";
   if (spec.name == "ss" || spec.name == "fass") return "radius";
   return spec.name == "quadric" ? "max-err" : "distance";
@@ -90,6 +92,13 @@ bool has_threshold(const Spec& spec) {
 
 bool has_default_threshold(const Spec& spec) {
   return spec.name == "fad" || spec.name == "vt";
+}
+
+void set_target(Planner& planner, std::size_t faces, std::size_t vertices) {
+  if (auto* mq = std::get_if<MemorylessQuadric>(&planner)) {
+    mq->target_faces = faces;
+    mq->target_vertices = vertices;
+  }
 }
 
 Planner with_threshold(const Planner& planner, double threshold) {

@@ -10,6 +10,7 @@
 #include "whittle/Chain.hh"
 #include "whittle/Circumcenter.hh"
 #include "whittle/FaceAngle.hh"
+#include "whittle/MemorylessQuadric.hh"
 #include "whittle/SphereScan.hh"
 #include "whittle/VertexDistance.hh"
 #include "whittle/VertexTripletDistance.hh"
@@ -17,8 +18,8 @@
 namespace whittle::recipe {
 
 using Fass = Chain<FaceAngle, SphereScan>;
-using Planner =
-    std::variant<FaceAngle, VertexDistance, Circumcenter, SphereScan, VertexTripletDistance, Fass>;
+using Planner = std::variant<FaceAngle, VertexDistance, Circumcenter, SphereScan, VertexTripletDistance, Fass,
+                             MemorylessQuadric>;
 
 /// The planner of a spec; its threshold is the default where the spec gives none.
 /// \throw RecipeError  two keys that contradict each other.
@@ -28,11 +29,14 @@ Planner make_planner(const Spec& spec, const Scale& scale);
 bool has_threshold(const Spec& spec);
 
 /// The key that sets how far a module goes, as a spec would name it: "angle", "distance", "radius",
-/// "max-err". Empty for `vt`, which has no threshold.
+/// "max-err". Empty for `vt` and `mq`, which have no threshold.
 std::string threshold_key(const Spec& spec);
 
 /// Whether the module goes a sensible way when neither spec nor target say how far.
 bool has_default_threshold(const Spec& spec);
+
+/// Tells the planner how far to go, if it is one that wants to know: `mq`.
+void set_target(Planner& planner, std::size_t faces, std::size_t vertices);
 
 /// The planner with its threshold replaced. Of `fass`, the radius.
 Planner with_threshold(const Planner& planner, double threshold);

@@ -49,6 +49,12 @@ std::optional<double> mean_error(const Json* result) {
   return (*result).at("score").at("distance").at("mean_units").get<double>();
 }
 
+std::optional<double> rms_error(const Json* result) {
+  if (!result || (*result).at("score").is_null() || (*result).at("score").at("distance").is_null())
+    return std::nullopt;
+  return (*result).at("score").at("distance").at("rms_percent_of_diagonal").get<double>();
+}
+
 /// A ratio for each planned module.
 template <typename MakeRatio>
 std::vector<Ratio> of_planned(MakeRatio make_ratio) {
@@ -115,6 +121,26 @@ Figure lazy_against_meshopt(const Results& results) {
     if (const auto value =
             results.ratio(long_name("lazy quadric", share), long_name("meshopt_simplify", share)))
       f.ratios.push_back({share, *value, ""});
+  return f;
+}
+
+Figure mq_against_meshopt(const Results& results) {
+  Figure f{"bulk mq", "meshopt_simplify", "", "", Figure::Bound::at_most, 1.0, {}};
+  for (const char* share : kShares)
+    if (const auto value = results.ratio(long_name("bulk mq", share), long_name("meshopt_simplify", share)))
+      f.ratios.push_back({share, *value, ""});
+  return f;
+}
+
+/// Not of times but of errors.
+Figure mq_error_against(const Results& results, const char* peer) {
+  Figure f{"RMS distance of bulk mq", peer, "", "", Figure::Bound::at_most, 1.0, {}};
+  for (const char* share : kShares) {
+    const auto ours = rms_error(results.find(long_name("bulk mq", share)));
+    if (!ours) continue;
+    const auto theirs = rms_error(results.find(long_name(peer, share)));
+    if (theirs && *theirs > 0) f.ratios.push_back({share, *ours / *theirs, ""});
+  }
   return f;
 }
 
@@ -188,6 +214,9 @@ std::vector<Figure> figures(const Json& run) {
       keep(bulk_against_sloppy(results), results);
       keep(lazy_against_stock(results, assertions), results);
       keep(lazy_against_meshopt(results), results);
+      keep(mq_against_meshopt(results), results);
+      for (const char* peer : {"CGAL Lindstrom-Turk", "meshopt_simplify", "DecimaterT quadric"})
+        keep(mq_error_against(results, peer), results);
       keep(compaction(results), results);
       keep(memory(results, "sweep", "the loaded OpenMesh mesh", 1.6), results);
       keep(memory(results, "bulk", "the arrays", 2.5), results);

@@ -30,6 +30,7 @@ std::vector<Entry> lineup(Suite suite, const Subject& subject, const std::option
   append(entries, sweep_entries(subject));
   append(entries, meshopt_entries(like_planned));
   if (suite == Suite::figures) {
+    append(entries, mq_entries(shares));
     append(entries, planned_decimater_entries(subject));
     append(entries, meshopt_sloppy_entries(like_planned));
     append(entries, quadric_entries(shares));

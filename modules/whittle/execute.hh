@@ -32,23 +32,29 @@ ExecutedT<Real> execute(const CollapsePlan& plan, const IndexedMeshT<Real>& mesh
   std::iota(survivor.begin(), survivor.end(), 0u);
   for (std::size_t i = n_collapses; i-- > 0;)  // backwards, so that a later end of `to` is known already
     survivor[plan.collapses[i].from] = survivor[plan.collapses[i].to];
-  out.mesh.points = mesh.points;
-  for (std::size_t i = 0; i < n_collapses; ++i)
-    out.mesh.points[plan.collapses[i].to] = plan.collapses[i].target.template cast<Real>();
 
-  std::uint32_t kept = 0;
+  std::size_t removed = 0;
+  for (std::size_t i = 0; i < n_collapses; ++i) removed += plan.collapses[i].faces;
+  const std::size_t n_faces = mesh.triangles.size() - std::min(removed, mesh.triangles.size());
+  out.mesh.points.reserve(mesh.points.size() - n_collapses);
+  out.mesh.triangles.reserve(n_faces);
+  out.face_origin.reserve(n_faces);
+
   out.vertex_map.resize(mesh.points.size());
   out.survives.resize(mesh.points.size());
   for (std::uint32_t v = 0; v < survivor.size(); ++v) {
     out.survives[v] = survivor[v] == v;
     if (!out.survives[v]) continue;
-    out.mesh.points[kept] = out.mesh.points[v];
-    out.vertex_map[v] = kept++;
+    out.vertex_map[v] = static_cast<std::uint32_t>(out.mesh.points.size());
+    out.mesh.points.push_back(mesh.points[v]);
   }
-  out.mesh.points.resize(kept);
   for (std::uint32_t v = 0; v < survivor.size(); ++v) out.vertex_map[v] = out.vertex_map[survivor[v]];
+  // One that goes later itself moves what it goes into, too, but not as the last one.
+  for (std::size_t i = 0; i < n_collapses; ++i) {
+    const Collapse& collapse = plan.collapses[i];
+    out.mesh.points[out.vertex_map[collapse.to]] = collapse.target.template cast<Real>();
+  }
 
-  out.mesh.triangles.reserve(mesh.triangles.size());
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     const auto& old = mesh.triangles[f];
     const typename IndexedMeshT<Real>::Triangle t{out.vertex_map[old[0]], out.vertex_map[old[1]],

@@ -125,3 +125,23 @@ TEST_CASE("without times there are no figures") {
   untimed["seconds"] = nullptr;
   CHECK(speed::figures(run(true, "figures", {model("cow", 9, {result("sweep vt", 1), untimed})})).empty());
 }
+
+TEST_CASE("mq is held to the peers in time and in error") {
+  const auto scored = [](const char* name, double seconds, double rms) {
+    Json json = result(name, seconds);
+    json["score"]["distance"] = {{"mean_units", 1.0}, {"rms_percent_of_diagonal", rms}};
+    return json;
+  };
+  const auto all = speed::figures(
+      run(true, "figures",
+          {model("cow", 100,
+                 {scored("bulk mq 10 %", 0.3, 0.02), scored("meshopt_simplify 10 %", 0.2, 0.04),
+                  scored("CGAL Lindstrom-Turk 10 %", 9, 0.02)})}));
+  REQUIRE(all.size() == 3);
+  CHECK(all[0].ratios.at(0).value == Approx(1.5));
+  CHECK_FALSE(all[0].reached());
+  CHECK(all[1].against == "CGAL Lindstrom-Turk");
+  CHECK(all[1].ratios.at(0).value == Approx(1));
+  CHECK(all[1].reached());
+  CHECK(all[2].ratios.at(0).value == Approx(0.5));
+}

@@ -1,3 +1,4 @@
+#include <thread>
 #include <utility>
 
 #include "recipe/Stopwatch.hh"
@@ -5,6 +6,7 @@
 #include "whittle/Chain.hh"
 #include "whittle/Circumcenter.hh"
 #include "whittle/FaceAngle.hh"
+#include "whittle/MemorylessQuadric.hh"
 #include "whittle/SphereScan.hh"
 #include "whittle/VertexDistance.hh"
 #include "whittle/VertexTripletDistance.hh"
@@ -22,10 +24,13 @@ class BulkContender : public Contender {
 
   void decimate(Phases& phases) override {
     recipe::Stopwatch watch;
-    const SurfaceT<float> surface(*arrays_);
-    phases.emplace_back("surface", watch.lap());
-    const CollapsePlan plan = planner_.plan(surface);
-    phases.emplace_back("plan", watch.lap());
+    CollapsePlan plan;
+    {
+      const SurfaceT<float> surface(*arrays_, {}, std::thread::hardware_concurrency());
+      phases.emplace_back("surface", watch.lap());
+      plan = planner_.plan(surface);
+      phases.emplace_back("plan", watch.lap());
+    }
     out_ = execute(plan, *arrays_);
     phases.emplace_back("execute", watch.lap());
   }
@@ -60,6 +65,18 @@ std::vector<Entry> bulk_entries(const Subject& subject) {
   return {entry("vt", Circumcenter()), entry("fad", FaceAngle()),
           entry("ivdd", ivdd),         entry("ss", ss),
           entry("vtd", vtd),           entry("fass", Chain<FaceAngle, SphereScan>{{FaceAngle(), ss}})};
+}
+
+std::vector<Entry> mq_entries(const std::vector<Target>& targets) {
+  std::vector<Entry> entries;
+  for (const Target& target : targets) {
+    MemorylessQuadric mq;
+    mq.target_faces = target.faces;
+    entries.push_back(entry("mq", mq));
+    entries.back().target = target.name;
+    entries.back().target_faces = target.faces;
+  }
+  return entries;
 }
 
 std::vector<Target> planned_faces(const Subject& subject) {
