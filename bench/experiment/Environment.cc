@@ -34,8 +34,9 @@ std::string build_type() {
 }  // namespace
 
 Environment environment(const egl::ContextFacts& gl) {
-  return {gl,     cpu_model(), std::thread::hardware_concurrency(), WHITTLE_COMPILER, build_type(), kCommit,
-          kDirty, now_utc()};
+  return {
+      gl.renderer,      gl.vendor,    gl.version, gl.device, cpu_model(), std::thread::hardware_concurrency(),
+      WHITTLE_COMPILER, build_type(), kCommit,    kDirty,    now_utc()};
 }
 
 }  // namespace whittle::bench

@@ -1,0 +1,97 @@
+#include "papers/Verdict.hh"
+#include "report/sections.hh"
+#include "report/text.hh"
+
+namespace whittle::bench {
+
+std::string improvement_text(const std::optional<Figures>& f) {
+  if (!f) return kNone;
+  const char* const mark = f->certainty == Certainty::spread_exceeds_effect ? " ≈" : "";
+  return spread_text(f->improvement, 1) + mark;
+}
+
+std::vector<Block> warnings(const ExperimentResult& e) {
+  std::vector<Block> blocks;
+  std::string unclear, single;
+  for (const SetResult& set : e.sets) {
+    if (!set.note.empty()) blocks.push_back(Callout{set.definition.label + ": " + set.note + "."});
+    const auto f = figures(set, e);
+    if (!f || set.definition.original()) continue;
+    auto& list = f->certainty == Certainty::spread_exceeds_effect ? unclear : single;
+    if (f->certainty != Certainty::clear) list += (list.empty() ? "" : "; ") + set.definition.label;
+  }
+  if (!unclear.empty())
+    blocks.push_back(
+        Callout{"The spread is larger than the effect (marked ≈): whether these sets are drawn faster or "
+                "slower than the original cannot be told from this run: " +
+                unclear + "."});
+  if (!single.empty())
+    blocks.push_back(Callout{"Timed once only, so nothing is known of the spread: " + single + "."});
+  std::string untimed;
+  for (const SetResult& set : e.sets)
+    if (set.triangles > 0 && set.visits.size() < e.timing.repetitions)
+      untimed += (untimed.empty() ? "" : ", ") + set.definition.name;
+  if (!untimed.empty())
+    blocks.push_back(Callout{"Fewer than " + std::to_string(e.timing.repetitions) +
+                             " repetitions are there for: " + untimed + "."});
+  return blocks;
+}
+
+Section verdict_section(const Results& results) {
+  Section section{"verdicts", "The papers' claims", {}};
+  Table table{
+      "Each claim, what this run measured, and the ratio of ours to theirs. A claim holds if the measured "
+      "figure is within a quarter of it or its spread covers it.",
+      {"Claim", "Source", "Verdict", "Measured", "Ours / theirs", "Why"},
+      {},
+      3};
+  for (const Verdict& v : verdicts(results))
+    table.rows.push_back(
+        {v.claim, v.source, to_string(v.word), v.measured, v.ratio.empty() ? kNone : v.ratio, v.why});
+  if (table.rows.empty())
+    section.blocks.push_back(Paragraph{"Nothing has been timed yet."});
+  else
+    section.blocks.push_back(table);
+  return section;
+}
+
+Section method_section(const Results& r) {
+  const Environment& e = r.environment;
+  Section section{"method", "What ran, and how", {}};
+  for (const auto& note : r.notes) section.blocks.push_back(Callout{note + "."});
+  Table machine{"", {"", ""}, {}, 2};
+  machine.rows = {
+      {"Protocol", r.protocol + (r.starts > 1 ? ", in " + std::to_string(r.starts) + " starts" : "")},
+      {"Renderer", e.gl_renderer + "; " + e.gl_vendor + "; OpenGL " + e.gl_version},
+      {"Device", e.egl_device},
+      {"Processor", e.cpu_model + ", " + std::to_string(e.cpu_threads) + " threads"},
+      {"Build",
+       e.compiler + ", " + e.build_type + ", commit " + e.commit + (e.commit_dirty ? " with changes" : "")},
+      {"Begun", e.date_utc},
+      {"Timed image", std::to_string(r.settings.width) + "x" + std::to_string(r.settings.height) +
+                          " pixels, off-screen, one sample a pixel"}};
+  for (const auto& experiment : r.experiments)
+    machine.rows.push_back(
+        {experiment.name, experiment.model.label + ", " + thousands(double(experiment.model.vertices)) +
+                              " vertices, " + thousands(double(experiment.model.triangles)) + " triangles; " +
+                              std::to_string(experiment.sets.size()) + " sets; frames " +
+                              std::to_string(experiment.timing.frames_from) + " to " +
+                              std::to_string(experiment.timing.frames_to) + " in one span; " +
+                              std::to_string(experiment.timing.repetitions) + " repetitions"});
+  section.blocks.push_back(machine);
+  for (const auto& experiment : r.experiments)
+    for (const auto& note : experiment.model.notes)
+      section.blocks.push_back(Callout{experiment.name + ": " + note + "."});
+  section.blocks.push_back(Paragraph{
+      "Each repetition visits every set once, beginning with another set each time. A visit draws frames "
+      "that warm up "
+      "and then the timed frames in one span between two `glFinish`; a GL timer query runs over the same "
+      "span, and both "
+      "times are kept. The improvement, 100·(original / time − 1), is formed within a repetition against the "
+      "original of that repetition. Shown are medians over the repetitions, with the smallest and the "
+      "largest as error "
+      "bars."});
+  return section;
+}
+
+}  // namespace whittle::bench
