@@ -16,8 +16,8 @@ namespace {
 
 constexpr int kSamplesPerPixel = 4;
 constexpr int kViewSide = 256;      // of the compared views
-constexpr int kPictureSide = 480;   // the longer one
-constexpr int kOriginalSide = 800;  // the original is shown larger
+constexpr int kPictureSide = 360;   // the longer one
+constexpr int kOriginalSide = 720;  // the original is shown larger
 constexpr char kFolder[] = "pictures";
 
 struct Size {

@@ -10,13 +10,16 @@
 namespace whittle::bench {
 namespace {
 
-constexpr char kMoreTriangles[] =
-    "a software renderer's time falls nearly as the triangles do; the paper's GPUs "
-    "have a fixed cost a frame";
+constexpr char kMore[] =
+    "More than claimed: a software renderer's time falls nearly as the triangles do, while the paper's GPUs "
+    "also have "
+    "a cost for each frame that does not fall";
 
 std::string why_word(Word word) {
-  if (word == Word::more) return kMoreTriangles;
-  if (word == Word::undecided) return "the spread is larger than the effect, or there is one repetition only";
+  if (word == Word::more) return kMore;
+  if (word == Word::undecided)
+    return "Undecided: the spread over the repetitions is larger than the effect, or there is one repetition "
+           "only";
   return "";
 }
 
@@ -29,12 +32,12 @@ Verdict percent_claim(const std::string& source, const std::string& claim, doubl
             judge(claimed, measured, repetitions),
             ""};
   v.why = why_word(v.word);
+  if (v.word == Word::undecided) v.ratio.clear();
   return v;
 }
 
 void judge_algorithms(const ExperimentResult& e, std::vector<Verdict>& all) {
   std::vector<std::pair<double, std::string>> ours;
-  std::vector<double> single;
   for (const auto& algorithm : papers::algorithms()) {
     const auto measured = mean_improvement(e, algorithm.name);
     if (!measured) continue;
@@ -60,14 +63,14 @@ void judge_algorithms(const ExperimentResult& e, std::vector<Verdict>& all) {
                  sum > 26 * 1.25   ? Word::more
                  : sum < 26 * 0.75 ? Word::less
                                    : Word::holds,
-                 sum > 26 * 1.25 ? kMoreTriangles : ""});
+                 sum > 26 * 1.25 ? kMore : ""});
   const double low = sorted.back().first, high = sorted.front().first;
   all.push_back({"Paper 1, abstract", "rendering performance improves by 25 to 35 %",
                  fixed(low, 0) + " to " + fixed(high, 0) + " %", "",
                  low >= 25 && high <= 35 ? Word::holds
                  : low >= 25             ? Word::more
                                          : Word::fails,
-                 low >= 25 ? "" : "FAD stays behind: it takes out only a quarter of the triangles"});
+                 low >= 25 ? "" : sorted.back().second + " stays below 25 %: it leaves the most triangles"});
 }
 
 void judge_parameters(const ExperimentResult& e, std::vector<Verdict>& all) {
@@ -81,7 +84,7 @@ void judge_parameters(const ExperimentResult& e, std::vector<Verdict>& all) {
         {"Paper 1, Figure 13", "FAD at 30° and at 150° are two different simplifications",
          thousands(fad30) + " and " + thousands(fad150) + " triangles removed", "",
          fad150 > fad30 * 1.25 ? Word::holds : Word::fails,
-         "a smooth scan has few vertices whose faces meet at more than 30°, and the ring lock, not the "
+         "FAD: a smooth scan has few vertices whose faces meet at more than 30°, and the ring lock, not the "
          "angle, bounds both"});
 }
 

@@ -57,6 +57,15 @@ class Run {
 
   int time_everything() {
     const Store store(line_.out);
+    try {
+      return time_everything(store);
+    } catch (const files::FileError& error) {
+      throw SaveError(std::string(error.what()) +
+                      "; what was saved before is whole, and --resume goes on from there");
+    }
+  }
+
+  int time_everything(const Store& store) {
     begin(store);
     for (auto& experiment : results_.experiments) run_experiment(experiment, store);
     results_.complete = true;

@@ -67,9 +67,7 @@ class Writer {
       out_ << "<tr>";
       for (std::size_t i = 0; i < row.size(); ++i) {
         const std::string& head = table.header[i];
-        out_ << (i < table.text_columns ? "<td class=\"t\">"
-                 : head == "Why"        ? "<td class=\"w\">"
-                                        : "<td>")
+        out_ << (i < table.text_columns ? "<td class=\"t\">" : "<td>")
              << (head == "Verdict" ? badge(row[i]) : marked(row[i])) << "</td>";
       }
       out_ << "</tr>\n";
@@ -93,8 +91,8 @@ class Writer {
       if (bytes.empty())
         out_ << "<div class=\"missing\">" << escape(picture.file) << " is not there</div>";
       else
-        out_ << "<img loading=\"lazy\" alt=\"" << escape(picture.caption) << "\" src=\"data:image/png;base64,"
-             << base64(bytes) << "\">";
+        out_ << "<img alt=\"" << escape(picture.caption) << "\" src=\"data:image/png;base64," << base64(bytes)
+             << "\">";
       out_ << "<span>" << escape(picture.caption) << "</span></div>\n";
     }
     out_ << "</div></figure>\n";

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <map>
+
 #include "papers/Verdict.hh"
 #include "report/sections.hh"
 #include "report/text.hh"
@@ -39,19 +42,28 @@ std::vector<Block> warnings(const ExperimentResult& e) {
 
 Section verdict_section(const Results& results) {
   Section section{"verdicts", "The papers' claims", {}};
-  Table table{
-      "Each claim, what this run measured, and the ratio of ours to theirs. A claim holds if the measured "
-      "figure is within a quarter of it or its spread covers it.",
-      {"Claim", "Source", "Verdict", "Measured", "Ours / theirs", "Why"},
-      {},
-      3};
-  for (const Verdict& v : verdicts(results))
+  Table table{"", {"Claim", "Source", "Verdict", "Measured", "Ours / theirs"}, {}, 4};
+  std::map<Word, int> counts;
+  std::vector<std::string> reasons;
+  for (const Verdict& v : verdicts(results)) {
     table.rows.push_back(
-        {v.claim, v.source, to_string(v.word), v.measured, v.ratio.empty() ? kNone : v.ratio, v.why});
-  if (table.rows.empty())
+        {v.claim, v.source, to_string(v.word), v.measured, v.ratio.empty() ? kNone : v.ratio});
+    ++counts[v.word];
+    if (!v.why.empty() && std::count(reasons.begin(), reasons.end(), v.why) == 0) reasons.push_back(v.why);
+  }
+  if (table.rows.empty()) {
     section.blocks.push_back(Paragraph{"Nothing has been timed yet."});
-  else
-    section.blocks.push_back(table);
+    return section;
+  }
+  std::string summary = "Of " + std::to_string(table.rows.size()) + " claims: ";
+  for (const auto& [word, count] : counts)
+    summary += (word == counts.begin()->first ? "" : ", ") + std::to_string(count) + " " + to_string(word);
+  section.blocks.push_back(Paragraph{
+      summary +
+      ". A claim holds if the measured figure is within a quarter of it or its spread covers it; a spread "
+      "larger than the effect leaves it undecided."});
+  section.blocks.push_back(table);
+  for (const auto& reason : reasons) section.blocks.push_back(Paragraph{reason + "."});
   return section;
 }
 

@@ -35,7 +35,8 @@ th,td{padding:6px 10px;text-align:right;white-space:nowrap;border-bottom:1px sol
 th{font-weight:600;color:var(--soft);background:var(--stripe);white-space:normal;vertical-align:bottom}
 td.t,th.t{text-align:left}
 td.t{white-space:normal;min-width:9em;overflow-wrap:break-word}
-td.w{white-space:normal;text-align:left;min-width:14em;color:var(--soft)}
+#verdicts td:first-child{min-width:17em}#verdicts td:nth-child(4){min-width:11em}
+#method td:first-child{color:var(--soft);min-width:8em;width:9em}
 tr:last-child td{border-bottom:0}
 tbody tr:hover td{background:var(--stripe)}
 .badge{display:inline-block;border-radius:999px;padding:1px 10px;font-weight:600;font-size:.82rem;white-space:nowrap;
@@ -59,7 +60,7 @@ section{padding:16px 12px;border-radius:10px}.sheet{grid-template-columns:repeat
 body{font-size:10.5pt}header,main,footer{max-width:none;padding:0}nav{display:none}
 section{border:0;padding:0;margin:0 0 18px}figure,.note,tr{break-inside:avoid}h2{break-after:avoid}
 .scroll{overflow:visible;border:0}table{font-size:6.8pt}th,td{padding:2px 3px;white-space:normal}
-td.t{min-width:6em}td.w{min-width:10em}
+td.t{min-width:6em}#verdicts td:first-child{min-width:12em}
 .sheet{grid-template-columns:repeat(4,1fr)}.sheet.large{grid-template-columns:repeat(2,1fr)}
 .chart svg{min-width:0}}
 )";
