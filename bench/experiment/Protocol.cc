@@ -18,7 +18,7 @@ Protocol paper_protocol() {
 Protocol quick_protocol() {
   Protocol protocol;
   protocol.name = "quick";
-  protocol.settings.samples = 100000;
+  protocol.settings.samples = 50000;
   protocol.paper1 = {10, 60, 5};
   protocol.paper2 = {100, 200, 5};
   protocol.beyond = {5, 25, 3};

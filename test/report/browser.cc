@@ -94,9 +94,9 @@ TEST_CASE("in a browser all charts and pictures are there, and the console has n
     const std::string dom = contents(folder / "dom");
     const auto begin = dom.find("data-seen=\"");
     REQUIRE(begin != std::string::npos);
-    // Pictures: panorama and detail of the original, two details, one heat map. Charts: two of Paper 1, two
+    // Pictures: panorama and detail of the original, two details, two heat maps. Charts: two of Paper 1, two
     // of errors.
-    CHECK_THAT(dom.substr(begin, 200), Catch::Contains("\"5/5 pictures, 4/4 charts, ") &&
+    CHECK_THAT(dom.substr(begin, 200), Catch::Contains("\"6/6 pictures, 4/4 charts, ") &&
                                            Catch::Contains(" tables, 7/7 links, 0 fetched, fits\""));
   }
 }
