@@ -55,9 +55,9 @@ Section verdict_section(const Results& results) {
     section.blocks.push_back(Paragraph{"Nothing has been timed yet."});
     return section;
   }
-  std::string summary = "Of " + std::to_string(table.rows.size()) + " claims: ";
+  std::string summary = "Of " + std::to_string(table.rows.size()) + " claims – ";
   for (const auto& [word, count] : counts)
-    summary += (word == counts.begin()->first ? "" : ", ") + std::to_string(count) + " " + to_string(word);
+    summary += (word == counts.begin()->first ? "" : ", ") + to_string(word) + " " + std::to_string(count);
   section.blocks.push_back(Paragraph{
       summary +
       ". A claim holds if the measured figure is within a quarter of it or its spread covers it; a spread "

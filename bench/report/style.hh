@@ -13,7 +13,7 @@ constexpr char kStyle[] = R"(
 --odd-b:#3d2f10;--none:#c3c9cf;--none-b:#30363c}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--page);color:var(--ink);font:16px/1.55 system-ui,-apple-system,"Segoe UI","DejaVu Sans",sans-serif}
-header,main,footer{max-width:1180px;margin:0 auto;padding:0 20px}
+header,main,footer{max-width:1240px;margin:0 auto;padding:0 20px}
 header{padding-top:34px}
 h1{font-size:1.9rem;line-height:1.2;margin:0 0 6px}
 h2{font-size:1.35rem;margin:0 0 14px;line-height:1.25}
@@ -34,7 +34,7 @@ table{border-collapse:collapse;width:100%;font-size:.86rem;font-variant-numeric:
 th,td{padding:6px 10px;text-align:right;white-space:nowrap;border-bottom:1px solid var(--line)}
 th{font-weight:600;color:var(--soft);background:var(--stripe);white-space:normal;vertical-align:bottom}
 td.t,th.t{text-align:left}
-td.t{white-space:normal;min-width:9em;overflow-wrap:break-word}
+td.t{white-space:normal;min-width:13em;overflow-wrap:break-word}
 #verdicts td:first-child{min-width:17em}#verdicts td:nth-child(4){min-width:11em}
 #method td:first-child{color:var(--soft);min-width:8em;width:9em}
 tr:last-child td{border-bottom:0}
@@ -46,7 +46,7 @@ background:var(--none-b);color:var(--none)}
 .chart svg{display:block;width:100%;height:auto;max-width:920px;min-width:560px}
 .chart .scroll{border:0}
 .sheet{display:grid;grid-template-columns:repeat(auto-fill,minmax(190px,1fr));gap:12px}
-.sheet.large{grid-template-columns:repeat(auto-fill,minmax(320px,1fr))}
+.sheet.large{grid-template-columns:repeat(2,1fr);max-width:920px}
 .sheet div{break-inside:avoid}
 .sheet img{display:block;width:100%;height:auto;border-radius:8px;background:#575e66}
 .sheet span{display:block;font-size:.82rem;color:var(--soft);margin-top:4px;overflow-wrap:anywhere}
@@ -55,7 +55,7 @@ font-size:.82rem}
 footer{color:var(--soft);font-size:.85rem;padding-bottom:30px}
 @media(max-width:640px){header,main,footer{padding:0 10px}header{padding-top:18px}h1{font-size:1.5rem}
 section{padding:16px 12px;border-radius:10px}.sheet{grid-template-columns:repeat(2,1fr);gap:8px}
-.sheet.large{grid-template-columns:1fr}th,td{padding:5px 7px}td.t{min-width:8em}}
+.sheet.large{grid-template-columns:1fr}th,td{padding:5px 7px}td.t{min-width:9em}#verdicts td:first-child{min-width:12em}}
 @media print{:root{--page:#fff;--card:#fff;--ink:#000;--soft:#333;--line:#bbb;--stripe:#fff}
 body{font-size:10.5pt}header,main,footer{max-width:none;padding:0}nav{display:none}
 section{border:0;padding:0;margin:0 0 18px}figure,.note,tr{break-inside:avoid}h2{break-after:avoid}
