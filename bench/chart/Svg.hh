@@ -7,7 +7,7 @@
 namespace whittle::chart {
 
 /// How many series can be told apart by colour. Colours and markers repeat after that.
-constexpr int kColours = 8;
+constexpr int kColours = 10;
 
 /// `<`, `>`, `&` and quotes written so that XML and HTML take them for text.
 std::string escape(const std::string& text);

@@ -53,11 +53,13 @@ std::vector<render::Image> Inspector::draw_views(const IndexedMesh& mesh) const 
   return images;
 }
 
-Fidelity Inspector::fidelity(const IndexedMesh& mesh) const {
+Fidelity Inspector::fidelity(const IndexedMesh& mesh, std::size_t& flipped_faces) const {
   Fidelity f;
   measure::DistanceOptions options;
   options.samples = settings_.samples;
-  const auto distance = measure::distance(original_, mesh, options).two_sided;
+  const auto both = measure::distance(original_, mesh, options);
+  const auto& distance = both.two_sided;
+  flipped_faces = both.flipped_faces;
   f.rms = distance.rms;
   f.mean = distance.mean;
   f.max = distance.max;
@@ -120,7 +122,11 @@ void Inspector::inspect(SetResult& set, const MadeSet& made) const {
   } else if (facts.degenerate_faces == facts.faces) {
     set.note = "only triangles without area are left";
   } else if (set.definition.role != Role::cache) {
-    if (!set.fidelity && !set.definition.original()) set.fidelity = fidelity(made.mesh);
+    if (!set.fidelity && !set.definition.original()) {
+      std::size_t flipped = 0;
+      set.fidelity = fidelity(made.mesh, flipped);
+      if (set.definition.role == Role::peer) set.flipped_faces = flipped;
+    }
     if (set.definition.role != Role::curve) take_pictures(set, made.mesh);
   }
   set.made = true;

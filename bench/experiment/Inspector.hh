@@ -31,12 +31,14 @@ class Inspector {
   /// \throw files::FileError  a picture cannot be written.
   void inspect(SetResult& set, const MadeSet& made) const;
 
-  /// All sets of the experiment in `folder`/pictures; whole only where the set is of the papers.
+  /// The whole model, the detail (not of Paper 2's model) and, but for the original, the heat map, as files
+  /// in `folder`/pictures. \throw files::FileError
   void take_pictures(SetResult& set, const IndexedMesh& mesh) const;
 
  private:
   std::vector<render::Image> draw_views(const IndexedMesh& mesh) const;
-  Fidelity fidelity(const IndexedMesh& mesh) const;
+  /// \param flipped_faces  against the nearest original face: peers do not tell which face came from which
+  Fidelity fidelity(const IndexedMesh& mesh, std::size_t& flipped_faces) const;
   std::string write(const SetResult& set, const std::string& kind, const render::Image& image) const;
 
   const IndexedMesh& original_;

@@ -13,8 +13,8 @@ namespace whittle::bench {
 
 struct MadeSet {
   IndexedMesh mesh;
-  double milliseconds = 0;        ///< of the simplifier
-  std::size_t flipped_faces = 0;  ///< turned by more than 90° against their own original
+  double milliseconds = 0;        ///< of the simplifier, the fastest of three runs; of one where that is slow
+  std::size_t flipped_faces = 0;  ///< turned by more than 90° against their own original; not known of a peer
 };
 
 /// Makes the sets of one model, each once. The original must outlive it.

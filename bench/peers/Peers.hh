@@ -12,8 +12,7 @@ namespace whittle::bench {
 
 struct PeerResult {
   IndexedMesh mesh;
-  double milliseconds = 0;        ///< the simplifier alone; its own mesh structure was filled before
-  std::size_t flipped_faces = 0;  ///< 0 where the peer does not tell which face came from which
+  double milliseconds = 0;  ///< the simplifier alone; its own mesh structure was filled before
 };
 
 struct Peer {

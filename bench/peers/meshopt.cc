@@ -50,7 +50,7 @@ PeerResult simplify_meshopt(const IndexedMesh& mesh, std::size_t triangles) {
   after.resize(meshopt_simplify(after.data(), before.data(), before.size(), points.data(), mesh.points.size(),
                                 3 * sizeof(float), 3 * triangles, kAnyError, 0, nullptr));
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  return {compacted(mesh, after), time.count(), 0};
+  return {compacted(mesh, after), time.count()};
 }
 
 IndexedMesh vertex_cache_order(const IndexedMesh& mesh) {

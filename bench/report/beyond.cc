@@ -24,19 +24,20 @@ chart::ScatterChart tradeoff_chart(const ExperimentResult& e, Error error) {
   chart::ScatterChart chart;
   chart.x_axis = "time of a frame, ms (left is faster)";
   chart.y_scale = chart::Scale::logarithmic;
-  for (const Role role : {Role::curve, Role::peer})
-    for (const SetResult& set : e.sets) {
-      if (set.definition.role != role) continue;
-      const std::string& name = set.definition.algorithm;
-      auto series = std::find_if(chart.series.begin(), chart.series.end(),
-                                 [&](const auto& s) { return s.name == name; });
-      if (series == chart.series.end()) series = chart.series.insert(series, {name, {}, true});
-      add_point(*series, set, e, error);
-    }
-  // A peer's sets come in the order of the sets that they are compared with, not of their sizes.
+  // From many triangles to few, which is the order of a threshold.
+  std::vector<const SetResult*> sets;
+  for (const SetResult& set : e.sets)
+    if (set.definition.role == Role::curve || set.definition.role == Role::peer) sets.push_back(&set);
+  for (const SetResult* const set : sets) {
+    const std::string& name = set->definition.algorithm;
+    if (std::none_of(chart.series.begin(), chart.series.end(), [&](const auto& s) { return s.name == name; }))
+      chart.series.push_back({name, {}, true});
+  }
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](const auto* a, const auto* b) { return a->triangles > b->triangles; });
   for (auto& series : chart.series)
-    std::sort(series.points.begin(), series.points.end(),
-              [](const auto& a, const auto& b) { return a.x < b.x; });
+    for (const SetResult* const set : sets)
+      if (set->definition.algorithm == series.name) add_point(series, *set, e, error);
   chart.series.erase(std::remove_if(chart.series.begin(), chart.series.end(),
                                     [](const auto& s) { return s.points.empty(); }),
                      chart.series.end());

@@ -13,30 +13,42 @@ std::string improvement_text(const std::optional<Figures>& f) {
   return spread_text(f->improvement, 1) + mark;
 }
 
+namespace {
+
+/// The names, or how many there are where they would fill half a page.
+std::string named(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 14;
+  if (names.size() > kMost) return std::to_string(names.size()) + " sets";
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
 std::vector<Block> warnings(const ExperimentResult& e) {
   std::vector<Block> blocks;
-  std::string unclear, single;
+  std::vector<std::string> unclear, single, untimed;
   for (const SetResult& set : e.sets) {
-    if (!set.note.empty()) blocks.push_back(Callout{set.definition.label + ": " + set.note + "."});
+    const std::string& name = set.definition.name;
+    if (!set.note.empty()) blocks.push_back(Callout{name + ": " + set.note + "."});
+    if (set.triangles > 0 && set.visits.size() < e.timing.repetitions) untimed.push_back(name);
     const auto f = figures(set, e);
     if (!f || set.definition.original()) continue;
-    auto& list = f->certainty == Certainty::spread_exceeds_effect ? unclear : single;
-    if (f->certainty != Certainty::clear) list += (list.empty() ? "" : "; ") + set.definition.label;
+    if (f->certainty == Certainty::spread_exceeds_effect) unclear.push_back(name);
+    if (f->certainty == Certainty::one_repetition) single.push_back(name);
   }
   if (!unclear.empty())
     blocks.push_back(
-        Callout{"The spread is larger than the effect (marked ≈): whether these sets are drawn faster or "
-                "slower than the original cannot be told from this run: " +
-                unclear + "."});
+        Callout{"The spread is larger than the effect (marked ≈): how much faster or slower than the "
+                "original these sets are "
+                "drawn cannot be told from this run: " +
+                named(unclear) + "."});
   if (!single.empty())
-    blocks.push_back(Callout{"Timed once only, so nothing is known of the spread: " + single + "."});
-  std::string untimed;
-  for (const SetResult& set : e.sets)
-    if (set.triangles > 0 && set.visits.size() < e.timing.repetitions)
-      untimed += (untimed.empty() ? "" : ", ") + set.definition.name;
+    blocks.push_back(Callout{"Timed once only, so nothing is known of the spread: " + named(single) + "."});
   if (!untimed.empty())
     blocks.push_back(Callout{"Fewer than " + std::to_string(e.timing.repetitions) +
-                             " repetitions are there for: " + untimed + "."});
+                             " repetitions are there for: " + named(untimed) + "."});
   return blocks;
 }
 

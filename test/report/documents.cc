@@ -58,7 +58,7 @@ TEST_CASE("fidelity is in parts of the mean edge") {
 
 TEST_CASE("a spread larger than the effect is said and marked") {
   const auto page = bench::markdown_text(bench::make_document(example::results()));
-  CHECK_THAT(page, Catch::Contains("cannot be told from this run: IVDD."));
+  CHECK_THAT(page, Catch::Contains("cannot be told from this run: ivdd-0.0011."));
   CHECK_THAT(page, Catch::Contains("| -4.4 (-20.0 to 11.1) ≈ |"));
 }
 
@@ -74,8 +74,8 @@ TEST_CASE("unfinished results make a report that says so") {
   const auto page = bench::markdown_text(bench::make_document(results));
   CHECK_THAT(page, Catch::Contains("This run is not finished"));
   CHECK_THAT(page, Catch::Contains("Fewer than 2 repetitions are there for: vt, fad-30."));
-  CHECK_THAT(page, Catch::Contains("Timed once only, so nothing is known of the spread: VT."));
-  CHECK_THAT(page, Catch::Contains("IVDD: nothing is left to draw."));
+  CHECK_THAT(page, Catch::Contains("Timed once only, so nothing is known of the spread: vt."));
+  CHECK_THAT(page, Catch::Contains("ivdd-0.0011: nothing is left to draw."));
 
   results.experiments.clear();
   CHECK_THAT(bench::markdown_text(bench::make_document(results)),
