@@ -5,6 +5,7 @@
 
 #include "experiment/GeneratedMesh.hh"
 #include "files/MeshFile.hh"
+#include "measure/MeshFacts.hh"
 #include "render/MeshBuffers.hh"
 
 namespace whittle::bench {
@@ -21,6 +22,8 @@ Model read(const std::filesystem::path& path, ModelKind kind) {
   auto file = files::read_mesh(path);
   if (file.mesh.triangles.empty())
     throw std::invalid_argument(path.string() + ": there is no triangle to draw");
+  if (const auto facts = measure::facts(file.mesh); facts.degenerate_faces == facts.faces)
+    throw std::invalid_argument(path.string() + ": no triangle has an area");
   Model model;
   model.mesh = std::move(file.mesh);
   model.kind = kind;

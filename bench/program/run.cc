@@ -128,6 +128,8 @@ class Run {
 
   void begin(const Store& store) {
     auto earlier = line_.resume ? store.load() : std::nullopt;
+    if (line_.resume && !earlier)
+      std::cerr << "whittle-bench: there are no results to go on with; this is a first start\n";
     if (earlier) {
       const std::string why = difference(*earlier, results_);
       if (!why.empty()) throw std::invalid_argument("--resume: cannot go on with these results: " + why);

@@ -94,6 +94,7 @@ TEST_CASE("bad usage and bad input end with 2 and one line") {
   Bench bench;
   std::ofstream(bench.folder() / "broken.obj") << "f 1 2 3\n";
   std::ofstream(bench.folder() / "points.obj") << "v 1 2 3\n";
+  std::ofstream(bench.folder() / "line.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
   std::ofstream(bench.folder() / "cut.json") << "{\"schema\":";
   for (const char* arguments : {"--no-such-option",
                                 "--size 0",
@@ -112,6 +113,7 @@ TEST_CASE("bad usage and bad input end with 2 and one line") {
                                 "--model missing.obj --out r",
                                 "--model broken.obj --out r",
                                 "--model points.obj --out r",
+                                "--model line.obj --out r",
                                 "--monkey points.obj --model ball.obj --out r",
                                 "--model ball.obj --out err.txt/r",
                                 "--model ball.obj --out /dev/full",
