@@ -62,7 +62,7 @@ section{border:0;padding:0;margin:0 0 18px}figure,.note,tr{break-inside:avoid}h2
 .scroll{overflow:visible;border:0}table{font-size:6.8pt}th,td{padding:2px 3px;white-space:normal}
 td.t{min-width:6em}#verdicts td:first-child{min-width:12em}
 .sheet{grid-template-columns:repeat(4,1fr)}.sheet.large{grid-template-columns:repeat(2,1fr)}
-.chart svg{min-width:0}}
+.badge{font-size:7pt;padding:0 5px}.chart svg{min-width:0}}
 )";
 
 }  // namespace whittle::bench

@@ -91,6 +91,9 @@ TEST_CASE("a full disk ends with 1 and one line, and keeps what was saved") {
              Catch::StartsWith("whittle-bench: r/results.json: ") && Catch::Contains("--resume goes on"));
   CHECK(std::count(bench.err.begin(), bench.err.end(), '\n') == 1);
   CHECK(slurp(bench.folder() / "r/results.json") == before);
+  // With room again it goes on.
+  CHECK(bench.run(std::string(kShort) + "--sets vt --quiet --resume") == 0);
+  CHECK(results(bench)["complete"] == true);
   CHECK(bench.run("report r/results.json --out new", full) == 1);
   CHECK(std::count(bench.err.begin(), bench.err.end(), '\n') == 1);
 }
