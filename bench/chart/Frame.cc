@@ -6,7 +6,7 @@ namespace whittle::chart {
 
 double text_width(const std::string& text) {
   const auto letters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; });
-  return 6.6 * static_cast<double>(letters);
+  return 7.0 * static_cast<double>(letters);
 }
 
 double draw_legend(Svg& svg, const std::vector<Key>& keys, double left, double right) {

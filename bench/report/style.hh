@@ -35,7 +35,7 @@ th,td{padding:6px 10px;text-align:right;white-space:nowrap;border-bottom:1px sol
 th{font-weight:600;color:var(--soft);background:var(--stripe);white-space:normal;vertical-align:bottom}
 td.t,th.t{text-align:left}
 td.t{white-space:normal;min-width:13em;overflow-wrap:break-word}
-#paper2 td.t{min-width:6em}#verdicts td:first-child{min-width:17em}#verdicts td:nth-child(4){min-width:11em}
+#paper2 td.t{min-width:6em}#peers td.t{min-width:10em}#verdicts td:first-child{min-width:17em}#verdicts td:nth-child(4){min-width:11em}
 #method td:first-child{color:var(--soft);min-width:8em;width:9em}
 tr:last-child td{border-bottom:0}
 tbody tr:hover td{background:var(--stripe)}
