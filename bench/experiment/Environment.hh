@@ -3,18 +3,11 @@
 #pragma once
 
 #include "egl/EglContext.hh"
-#include "experiment/Machine.hh"
+#include "results/Results.hh"
 
 namespace whittle::bench {
 
-/// The machine and what draws on it.
-struct Environment : Machine {
-  egl::ContextFacts gl;
-};
-
-/// \param gl  of the context that draws.
-inline Environment environment(const egl::ContextFacts& gl) {
-  return {machine(), gl};
-}
+/// Facts of this machine, this build and this moment. \param gl  of the context that draws.
+Environment environment(const egl::ContextFacts& gl);
 
 }  // namespace whittle::bench

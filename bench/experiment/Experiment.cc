@@ -1,49 +1,11 @@
 #include "experiment/Experiment.hh"
 
-#include "recipe/Recipe.hh"
+#include <algorithm>
+
+#include "render/FrameTimer.hh"
 #include "render/Framebuffer.hh"
 
 namespace whittle::bench {
-namespace {
-
-constexpr int kPictureSamples = 4;
-
-/// Of the box's width, height and depth.
-const Eigen::AlignedBox3d kEars(Eigen::Vector3d(0.06, 0.74, 0.1), Eigen::Vector3d(0.56, 1.0, 0.75));
-
-}  // namespace
-
-SetResult decimate(const IndexedMesh& original, const SetDefinition& definition) {
-  SetResult set;
-  set.definition = definition;
-  if (definition.recipe.empty()) {
-    set.mesh = original;
-  } else {
-    recipe::Recipe recipe;
-    recipe.modules = {recipe::parse_spec(definition.recipe)};
-    auto result = recipe::run(original, recipe);
-    set.mesh = std::move(result.mesh);
-    set.flipped_faces = result.flipped_faces;
-  }
-  set.facts = measure::facts(set.mesh);
-  return set;
-}
-
-Views views(const IndexedMesh& original, double aspect) {
-  const auto box = render::bounding_box(original);
-  return {render::frame(box, box, aspect), render::frame(render::part_of(box, kEars), box, aspect)};
-}
-
-Pictures take_pictures(const render::Renderer& renderer, const Views& views, const IndexedMesh& mesh,
-                       int width, int height) {
-  const render::Framebuffer framebuffer(width, height, kPictureSamples);
-  const render::MeshBuffers buffers(mesh);
-  const auto picture = [&](const render::Camera& camera) {
-    renderer.draw(buffers, camera);
-    return framebuffer.read();
-  };
-  return {picture(views.whole), picture(views.ears)};
-}
 
 std::vector<std::size_t> visiting_order(std::size_t sets, std::size_t repetition) {
   std::vector<std::size_t> order;
@@ -51,24 +13,50 @@ std::vector<std::size_t> visiting_order(std::size_t sets, std::size_t repetition
   return order;
 }
 
+std::vector<std::size_t> missing_visits(const ExperimentResult& experiment, std::size_t repetition) {
+  const auto visited = [&](const SetResult& set) {
+    return std::any_of(set.visits.begin(), set.visits.end(),
+                       [&](const Visit& visit) { return visit.repetition == repetition; });
+  };
+  std::vector<std::size_t> missing;
+  bool original_is_among = false;
+  for (const std::size_t i : visiting_order(experiment.sets.size(), repetition - 1)) {
+    const SetResult& set = experiment.sets[i];
+    if (set.triangles == 0 || visited(set)) continue;
+    missing.push_back(i);
+    original_is_among |= i == 0;
+  }
+  if (!missing.empty() && !original_is_among) missing.insert(missing.begin(), 0);
+  return missing;
+}
+
 void time_sets(const render::Renderer& renderer, const render::Camera& camera, const Settings& settings,
-               std::vector<SetResult>& sets, Progress& progress, const std::function<bool()>& stop) {
+               const std::vector<const IndexedMesh*>& meshes, std::size_t start, ExperimentResult& experiment,
+               const Watch& watch) {
   const render::Framebuffer framebuffer(settings.width, settings.height);
   std::vector<render::MeshBuffers> buffers;
-  buffers.reserve(sets.size());
-  for (const auto& set : sets) buffers.emplace_back(set.mesh);
+  buffers.reserve(meshes.size());
+  for (const IndexedMesh* mesh : meshes) buffers.emplace_back(*mesh);
+  framebuffer.bind();
 
-  progress.expect(settings.repetitions * sets.size());
-  for (std::size_t repetition = 0; repetition < settings.repetitions; ++repetition) {
+  const Timing& timing = experiment.timing;
+  std::size_t steps = 0;
+  for (std::size_t repetition = 1; repetition <= timing.repetitions; ++repetition)
+    steps += missing_visits(experiment, repetition).size();
+  watch.progress.expect(steps);
+  for (std::size_t repetition = 1; repetition <= timing.repetitions; ++repetition) {
     std::size_t place = 0;
-    for (const std::size_t i : visiting_order(sets.size(), repetition)) {
-      progress.step("repetition " + std::to_string(repetition + 1) + " of " +
-                    std::to_string(settings.repetitions) + ", " + sets[i].definition.paper_label);
+    for (const std::size_t i : missing_visits(experiment, repetition)) {
+      SetResult& set = experiment.sets[i];
+      watch.progress.step(experiment.name + ", repetition " + std::to_string(repetition) + " of " +
+                          std::to_string(timing.repetitions) + ", " + set.definition.name);
       const auto draw = [&] {
-        if (stop()) throw Stopped();
+        if (watch.stop()) throw Stopped();
         renderer.draw(buffers[i], camera);
       };
-      sets[i].visits.push_back({++place, render::time_frames(draw, settings.frames)});
+      const auto time = render::time_frames(draw, {timing.frames_from, timing.frames_to});
+      set.visits.push_back({repetition, start, ++place, time.wall_ms, time.gl_ms});
+      watch.visited();
     }
   }
 }

@@ -5,13 +5,15 @@
 
 #include "experiment/GeneratedMesh.hh"
 #include "files/MeshFile.hh"
+#include "measure/MeshFacts.hh"
+#include "render/MeshBuffers.hh"
 
 namespace whittle::bench {
 namespace {
 
-std::optional<std::filesystem::path> cached_bunny(const std::filesystem::path& cache) {
-  for (const char* name : {"bunny.ply", "bunny.obj", "bunny.off", "bunny.stl"}) {
-    if (std::filesystem::is_regular_file(cache / name)) return cache / name;
+std::optional<std::filesystem::path> cached(const std::filesystem::path& cache, const std::string& name) {
+  for (const char* extension : {".ply", ".obj", ".off", ".stl"}) {
+    if (std::filesystem::is_regular_file(cache / (name + extension))) return cache / (name + extension);
   }
   return std::nullopt;
 }
@@ -20,6 +22,8 @@ Model read(const std::filesystem::path& path, ModelKind kind) {
   auto file = files::read_mesh(path);
   if (file.mesh.triangles.empty())
     throw std::invalid_argument(path.string() + ": there is no triangle to draw");
+  if (const auto facts = measure::facts(file.mesh); facts.degenerate_faces == facts.faces)
+    throw std::invalid_argument(path.string() + ": no triangle has an area");
   Model model;
   model.mesh = std::move(file.mesh);
   model.kind = kind;
@@ -66,13 +70,35 @@ std::string to_string(ModelKind kind) {
 
 Model load_model(const std::optional<std::filesystem::path>& file, const std::filesystem::path& cache,
                  const std::string& label) {
-  const auto bunny = file ? std::nullopt : cached_bunny(cache);
+  const auto bunny = file ? std::nullopt : cached(cache, "bunny");
   Model model = file ? read(*file, ModelKind::file) : bunny ? read(*bunny, ModelKind::bunny) : generate();
   model.mean_edge = mean_edge_length(model.mesh);
   if (const auto note = unit_note(model.mean_edge)) model.notes.push_back(*note);
   if (!label.empty())
     model.label = model.kind == ModelKind::generated ? label + " (" + kGeneratedLabel + ")" : label;
   return model;
+}
+
+std::optional<Model> load_monkey(const std::optional<std::filesystem::path>& file,
+                                 const std::filesystem::path& cache) {
+  const auto path = file ? file : cached(cache, "suzanne");
+  if (!path) return std::nullopt;
+  Model model = read(*path, ModelKind::file);
+  if (!file) model.label = "Suzanne";
+  model.mean_edge = mean_edge_length(model.mesh);
+  return model;
+}
+
+ModelFacts facts(const Model& model) {
+  const double diagonal = model.mesh.points.empty() ? 0 : render::bounding_box(model.mesh).sizes().norm();
+  return {model.label,
+          to_string(model.kind),
+          model.file,
+          model.mesh.points.size(),
+          model.mesh.triangles.size(),
+          model.mean_edge,
+          diagonal,
+          model.notes};
 }
 
 }  // namespace whittle::bench

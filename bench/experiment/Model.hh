@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "results/Results.hh"
 #include "whittle/IndexedMesh.hh"
 
 namespace whittle::bench {
@@ -32,5 +33,13 @@ struct Model {
 /// triangles.
 Model load_model(const std::optional<std::filesystem::path>& file, const std::filesystem::path& cache,
                  const std::string& label = "");
+
+/// Suzanne, Paper 2's model: `file`, or without one `suzanne.*` from the cache; none where neither is there.
+/// \throw files::FileError, std::invalid_argument  as above.
+std::optional<Model> load_monkey(const std::optional<std::filesystem::path>& file,
+                                 const std::filesystem::path& cache);
+
+/// What the results say of a model.
+ModelFacts facts(const Model& model);
 
 }  // namespace whittle::bench

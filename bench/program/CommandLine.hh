@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "egl/EglContext.hh"
-#include "experiment/Experiment.hh"
+#include "experiment/Protocol.hh"
 
 namespace whittle::bench {
 
@@ -19,17 +19,33 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+struct ImageSize {
+  int width, height;
+};
+
 struct CommandLine {
-  std::optional<std::filesystem::path> model;
+  std::optional<std::filesystem::path> model, monkey;
   std::string label;
-  Settings settings;
   egl::DeviceChoice device;
   std::filesystem::path out = "results";
-  std::vector<SetDefinition> sets;
-  bool pictures_only = false;
-  bool list_devices = false;
-  bool quiet = false;
-  std::string answer;  ///< the text of --help or --version: print it and be done
+  std::vector<std::string> experiments;  ///< names, in kExperiments' order
+  std::vector<SetDefinition> sets;       ///< of Paper 1
+
+  /// Without --quick or --paper the renderer decides. \{
+  bool quick = false, paper = false;
+  /// \}
+  /// In place of the protocol's. \{
+  std::optional<ImageSize> size;
+  std::optional<std::size_t> repetitions, frames_from, frames_to, views, samples;
+  /// \}
+
+  bool resume = false, pictures_only = false, list_devices = false, quiet = false;
+  std::optional<std::filesystem::path> report;  ///< results.json to make the report of; nothing is drawn
+  std::string answer;                           ///< to --help and --version; then nothing else counts
+
+  /// The protocol with all that was asked for; its name tells whether something was changed.
+  /// \param software  the renderer is a program. \throw UsageError  frames that end before they begin
+  Protocol protocol(bool software) const;
 };
 
 /// \throw UsageError

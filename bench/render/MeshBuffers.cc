@@ -3,13 +3,14 @@
 namespace whittle::render {
 namespace {
 
-/// Fills a buffer and hands it to the shader as the three-part attribute of this number.
-void fill(const GlObject<BufferKind>& buffer, GLuint attribute, const std::vector<Eigen::Vector3f>& values) {
+/// Fills a buffer and hands it to the shader as the attribute of this number.
+template <typename Value>
+void fill(const GlObject<BufferKind>& buffer, GLuint attribute, const std::vector<Value>& values) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(Eigen::Vector3f)),
-               values.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(Value)), values.data(),
+               GL_STATIC_DRAW);
   glEnableVertexAttribArray(attribute);
-  glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glVertexAttribPointer(attribute, sizeof(Value) / sizeof(float), GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
 }  // namespace
@@ -36,7 +37,8 @@ Eigen::AlignedBox3d bounding_box(const IndexedMesh& mesh) {
   return box;
 }
 
-MeshBuffers::MeshBuffers(const IndexedMesh& mesh) : triangles_(mesh.triangles.size()) {
+MeshBuffers::MeshBuffers(const IndexedMesh& mesh, const std::vector<float>& values)
+    : triangles_(mesh.triangles.size()) {
   if (!mesh.points.empty()) origin_ = bounding_box(mesh).center();
   std::vector<Eigen::Vector3f> positions;
   positions.reserve(mesh.points.size());
@@ -45,6 +47,7 @@ MeshBuffers::MeshBuffers(const IndexedMesh& mesh) : triangles_(mesh.triangles.si
   glBindVertexArray(vertex_array_.name());
   fill(positions_, 0, positions);
   fill(normals_, 1, vertex_normals(mesh));
+  if (!values.empty()) fill(values_, 2, values);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(IndexedMesh::Triangle)),

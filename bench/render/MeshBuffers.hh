@@ -22,8 +22,9 @@ Eigen::AlignedBox3d bounding_box(const IndexedMesh& mesh);
 /// sorted for the vertex cache, so a benchmark draws the mesh as it was handed over.
 class MeshBuffers {
  public:
+  /// \param values  one for each point, for a HeatPainter; or none.
   /// \pre every triangle index is below the number of points, and a context is current.
-  explicit MeshBuffers(const IndexedMesh& mesh);
+  explicit MeshBuffers(const IndexedMesh& mesh, const std::vector<float>& values = {});
 
   /// Draws all triangles with the program in use.
   void draw() const;
@@ -35,7 +36,7 @@ class MeshBuffers {
 
  private:
   GlObject<VertexArrayKind> vertex_array_;
-  GlObject<BufferKind> positions_, normals_, indices_;
+  GlObject<BufferKind> positions_, normals_, values_, indices_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   std::size_t triangles_ = 0;
 };

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "render/program.hh"
+
 namespace whittle::render {
 namespace {
 
@@ -45,37 +47,10 @@ void main() {
 }
 )";
 
-void attach(GLuint program, GLenum stage, const char* source) {
-  const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, 1, &source, nullptr);
-  glCompileShader(shader);
-  glAttachShader(program, shader);
-  glDeleteShader(shader);  // it lives on until the program goes
-}
-
-void link(GLuint program) {
-  glLinkProgram(program);
-  GLint linked = GL_FALSE;
-  glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked == GL_TRUE) return;
-  std::string log(1000, '\0');
-  GLsizei length = 0;
-  glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
-  log.resize(static_cast<std::size_t>(length));
-  throw RenderError("the OpenGL driver does not take the shaders: " + log.substr(0, log.find('\n')));
-}
-
-void set(GLint uniform, const Eigen::Matrix4d& matrix) {
-  const Eigen::Matrix4f rounded = matrix.cast<float>();
-  glUniformMatrix4fv(uniform, 1, GL_FALSE, rounded.data());
-}
-
 }  // namespace
 
 Renderer::Renderer() {
-  attach(program_.name(), GL_VERTEX_SHADER, kVertexShader);
-  attach(program_.name(), GL_FRAGMENT_SHADER, kFragmentShader);
-  link(program_.name());
+  link_program(program_.name(), kVertexShader, kFragmentShader);
   model_view_ = glGetUniformLocation(program_.name(), "model_view");
   projection_ = glGetUniformLocation(program_.name(), "projection");
   front_ = glGetUniformLocation(program_.name(), "front");
@@ -90,8 +65,8 @@ void Renderer::draw(const MeshBuffers& mesh, const Camera& camera, const Look& l
 
   glUseProgram(program_.name());
   // In double, so that the mesh's origin and the eye cancel before rounding.
-  set(model_view_, camera.view * Eigen::Affine3d(Eigen::Translation3d(mesh.origin())).matrix());
-  set(projection_, camera.projection);
+  set_uniform(model_view_, camera.view * Eigen::Affine3d(Eigen::Translation3d(mesh.origin())).matrix());
+  set_uniform(projection_, camera.projection);
   glUniform3fv(front_, 1, look.front.data());
   glUniform3fv(back_, 1, look.back.data());
   mesh.draw();

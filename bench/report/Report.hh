@@ -1,33 +1,36 @@
 /// \file
-/// Everything a run found out, and its two written forms.
+/// From results to reports. Nothing here draws or measures.
 #pragma once
 
+#include <filesystem>
+#include <stdexcept>
 #include <string>
-#include <vector>
 
-#include "experiment/Environment.hh"
-#include "experiment/Experiment.hh"
+#include "report/Document.hh"
+#include "results/Results.hh"
 
 namespace whittle::bench {
 
-struct Report {
-  const Model& model;
-  const Settings& settings;
-  const Environment& environment;
-  const std::vector<SetResult>& sets;  ///< the original first
-};
+/// The whole report of a run, finished or not.
+Document make_document(const Results& results);
 
-/// The files of a set's pictures, within the output folder.
-std::string picture_name(const SetDefinition& set);
-std::string ears_picture_name(const SetDefinition& set);
+/// One file that needs no other and no network: pictures as data, charts as SVG, light or dark as the reader
+/// likes. A picture that cannot be read leaves its caption and a word on it. \param folder  of the results.
+std::string html_text(const Document& document, const std::filesystem::path& folder);
 
-/// What stands under a picture.
-std::string caption(const Model& model, const SetDefinition& set);
+/// Pictures and charts are links: to the pictures of the run and to charts/NAME.svg.
+std::string markdown_text(const Document& document);
 
-/// Every raw time and every figure, each named with its unit; docs/benchmark.md describes the fields.
-std::string json_text(const Report& report);
+/// One line a set, with a header; units are in the names of the columns.
+std::string csv_text(const Results& results);
 
-/// A page to read: the machine, the table, the pictures.
-std::string markdown_text(const Report& report);
+/// One line for each raw time.
+std::string times_csv_text(const Results& results);
+
+/// Writes report.html, report.md, charts/, report.csv and times.csv. \param pictures  the folder of the
+/// results, which pictures are relative to; without it, `folder`. \throw files::FileError
+void write_report(const Results& results, const std::filesystem::path& folder);
+void write_report(const Results& results, const std::filesystem::path& folder,
+                  const std::filesystem::path& pictures);
 
 }  // namespace whittle::bench

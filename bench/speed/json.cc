@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "experiment/Machine.hh"
-#include "experiment/Statistics.hh"
+#include "results/Statistics.hh"
 #include "speed/core.hh"
 #include "speed/peers/peers.hh"
 

@@ -5,41 +5,40 @@
 #include "catch.hh"
 #include "egl/EglContext.hh"
 #include "experiment/GeneratedMesh.hh"
+#include "experiment/Protocol.hh"
+#include "experiment/Views.hh"
 
 using namespace whittle;
 
-TEST_CASE("the original is always among the chosen sets, and they keep the paper's order") {
-  const auto all = bench::choose_sets({});
-  CHECK(all.size() == 14);
-  CHECK(all.front().recipe.empty());
-  CHECK(bench::choose_sets({"vt", "all"}).size() == 14);
+namespace {
 
-  const auto some = bench::choose_sets({"fass-0.0014-150", "ivdd-0.0011", "fad-30"});
-  REQUIRE(some.size() == 4);
-  CHECK(some[0].name == "original");
-  CHECK(some[1].recipe == "fad:angle=30");
-  CHECK(some[2].recipe == "ivdd:distance=0.0011");
-  CHECK(some[3].recipe == "fass:radius=0.0014,angle=150");
-  CHECK(bench::choose_sets({"original"}).size() == 1);
-}
+/// So many sets of one small ball, in an experiment of so many repetitions of two frames.
+struct Example {
+  IndexedMesh mesh = bench::generated_mesh(4);
+  bench::ExperimentResult experiment;
+  std::vector<const IndexedMesh*> meshes;
+  std::ostringstream log;
+  bench::Progress progress{log, bench::ProgressStyle::lines};
+  std::size_t saved = 0;
 
-TEST_CASE("the fourteen sets of the paper have names of their own, which say the recipe") {
-  for (const auto& set : bench::paper_sets()) {
-    INFO(set.name);
-    CHECK(bench::choose_sets({set.name}).back().name == set.name);
-    // "fass-0.0012-30": the module, then its values in order.
-    std::string values = set.recipe.substr(0, set.recipe.find(':'));
-    for (auto equals = set.recipe.find('='); equals != std::string::npos;
-         equals = set.recipe.find('=', equals + 1))
-      values += "-" + set.recipe.substr(equals + 1, set.recipe.find(',', equals) - equals - 1);
-    CHECK(values == (set.recipe.empty() ? "" : set.name));
+  Example(std::size_t sets, std::size_t repetitions) : meshes(sets, &mesh) {
+    experiment.name = "paper1";
+    experiment.timing = {1, 3, repetitions};
+    experiment.sets.resize(sets);
+    for (auto& set : experiment.sets) set.triangles = mesh.triangles.size();
   }
-}
+  void time(
+      std::size_t start = 1, const std::function<bool()>& stop = [] { return false; }) {
+    const egl::EglContext context;
+    const render::Renderer renderer;
+    bench::Settings settings;
+    settings.width = settings.height = 32;
+    bench::time_sets(renderer, bench::views(mesh, 1).whole, settings, meshes, start, experiment,
+                     {progress, [&] { ++saved; }, stop});
+  }
+};
 
-TEST_CASE("an unknown set is an error that lists those there are") {
-  CHECK_THROWS_WITH(bench::choose_sets({"fad-31"}),
-                    Catch::Contains("\"fad-31\"") && Catch::Contains("fad-30, "));
-}
+}  // namespace
 
 TEST_CASE("each repetition begins with another set and visits all") {
   CHECK(bench::visiting_order(3, 0) == std::vector<std::size_t>{0, 1, 2});
@@ -47,65 +46,65 @@ TEST_CASE("each repetition begins with another set and visits all") {
   CHECK(bench::visiting_order(3, 5) == std::vector<std::size_t>{2, 0, 1});
 }
 
-TEST_CASE("the original's mesh is left as it is") {
-  const auto mesh = bench::generated_mesh(4);
-  const auto set = bench::decimate(mesh, bench::paper_sets().front());
-  CHECK(set.mesh.points == mesh.points);
-  CHECK(set.mesh.triangles == mesh.triangles);
-  CHECK(set.facts.faces == 320);
-}
-
-TEST_CASE("every set of the paper decimates the stand-in") {
-  const auto mesh = bench::generated_mesh(20);
-  for (const auto& definition : bench::choose_sets({})) {
-    if (definition.recipe.empty()) continue;
-    INFO(definition.name);
-    const auto set = bench::decimate(mesh, definition);
-    CHECK(set.facts.faces < mesh.triangles.size());
-    CHECK(set.facts.faces > 0);
-    CHECK(set.facts.closed());
-    CHECK(set.flipped_faces == 0);
-  }
-}
-
-TEST_CASE("all sets are timed in every repetition, in rotated order") {
-  const egl::EglContext context;
-  const render::Renderer renderer;
-  const auto mesh = bench::generated_mesh(4);
-  std::vector<bench::SetResult> sets(3);
-  for (auto& set : sets) set.mesh = mesh;
-  bench::Settings settings;
-  settings.width = settings.height = 32;
-  settings.frames = {1, 3};
-  settings.repetitions = 2;
-  std::ostringstream log;
-  bench::Progress progress(log, bench::ProgressStyle::lines);
-  const auto camera = bench::views(mesh, 1).whole;
-
-  bench::time_sets(renderer, camera, settings, sets, progress, [] { return false; });
+TEST_CASE("all sets are timed in every repetition, in rotated order, and saved after each visit") {
+  Example example(3, 2);
+  example.time();
   const std::size_t places[3][2] = {{1, 3}, {2, 1}, {3, 2}};
   for (std::size_t i = 0; i < 3; ++i) {
-    REQUIRE(sets[i].visits.size() == 2);
+    const auto& visits = example.experiment.sets[i].visits;
+    REQUIRE(visits.size() == 2);
     for (std::size_t r = 0; r < 2; ++r) {
-      CHECK(sets[i].visits[r].place == places[i][r]);
-      CHECK(sets[i].visits[r].time.wall_ms > 0);
+      CHECK(visits[r].repetition == r + 1);
+      CHECK(visits[r].start == 1);
+      CHECK(visits[r].visited_as == places[i][r]);
+      CHECK(visits[r].wall_ms > 0);
     }
   }
-  CHECK(log.str().find("[6/6] repetition 2 of 2") != std::string::npos);
+  CHECK(example.saved == 6);
+  CHECK(example.log.str().find("[6/6] paper1, repetition 2 of 2") != std::string::npos);
 
-  CHECK_THROWS_AS(bench::time_sets(renderer, camera, settings, sets, progress, [] { return true; }),
-                  bench::Stopped);
+  example.time(2);
+  CHECK(example.saved == 6);  // nothing is missing
 }
 
-TEST_CASE("both pictures show the model, larger in the detail") {
-  const egl::EglContext context;
-  const render::Renderer renderer;
-  const auto mesh = bench::generated_mesh(10);
-  const auto pictures = bench::take_pictures(renderer, bench::views(mesh, 2), mesh, 64, 32);
-  for (const auto* image : {&pictures.whole, &pictures.ears}) {
-    CHECK(image->width == 64);
-    CHECK(image->height == 32);
-    CHECK(image->at(0, 0) != image->at(32, 20));
-  }
-  CHECK(pictures.whole.rgba != pictures.ears.rgba);
+TEST_CASE("asked to stop, it keeps what it has") {
+  Example example(2, 1);
+  CHECK_THROWS_AS(example.time(1, [&] { return example.saved == 1; }), bench::Stopped);
+  CHECK(example.experiment.sets[0].visits.size() == 1);
+  CHECK(example.experiment.sets[1].visits.empty());
+}
+
+TEST_CASE("an unfinished repetition goes on with the original once more") {
+  Example example(3, 2);
+  auto& sets = example.experiment.sets;
+  sets[0].visits = {{1, 1, 1, 5, {}}};
+  sets[1].visits = {{1, 1, 2, 5, {}}};
+  CHECK(bench::missing_visits(example.experiment, 1) == std::vector<std::size_t>{0, 2});
+  CHECK(bench::missing_visits(example.experiment, 2) == std::vector<std::size_t>{1, 2, 0});
+  example.time(2);
+  CHECK(sets[0].visits.size() == 3);
+  CHECK(sets[0].visits[1].start == 2);
+  CHECK(sets[1].visits.size() == 2);
+  CHECK(sets[2].visits[0].start == 2);
+  CHECK(bench::missing_visits(example.experiment, 1).empty());
+}
+
+TEST_CASE("a set without triangles is not timed") {
+  Example example(2, 1);
+  const IndexedMesh nothing;
+  example.meshes[1] = &nothing;
+  example.experiment.sets[1].triangles = 0;
+  example.time();
+  CHECK(example.experiment.sets[0].visits.size() == 1);
+  CHECK(example.experiment.sets[1].visits.empty());
+}
+
+TEST_CASE("the papers' protocol has the papers' frames and repetitions") {
+  auto paper = bench::paper_protocol();
+  CHECK(paper.timing("paper1").frames_from == 100);
+  CHECK(paper.timing("paper1").frames_timed() == 1000);
+  CHECK(paper.timing("paper1").repetitions == 10);
+  CHECK(paper.timing("paper2").frames_from == 100);
+  CHECK(paper.timing("paper2").frames_timed() == 100);
+  CHECK(paper.timing("paper2").repetitions == 10);
 }

@@ -1,106 +1,85 @@
 /// \file
 /// The benchmark as its users see it: options, files, exit codes.
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "catch.hh"
-#include "experiment/GeneratedMesh.hh"
-#include "files/MeshFile.hh"
+#include "Bench.hh"
 
-using namespace whittle;
-namespace fs = std::filesystem;
+using namespace bench_program;
 
-namespace {
-
-std::string slurp(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-/// A folder with a small ball in it, and the program run there by the shell.
-class Bench {
- public:
-  Bench() {
-    std::string name = (fs::temp_directory_path() / "whittle-bench-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    folder_ = name;
-    files::write_mesh(folder_ / "ball.obj", bench::generated_mesh(12));
-  }
-  ~Bench() { fs::remove_all(folder_); }
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
-
-  /// The exit code; what the program said is then in `out` and `err`.
-  int run(const std::string& arguments, const std::string& before = "") {
-    const std::string command = "cd '" + folder_.string() + "' && " + before +
-                                " '" WHITTLE_BENCH_PROGRAM "' " + arguments + " > out.txt 2> err.txt";
-    const int status = std::system(command.c_str());
-    out = slurp(folder_ / "out.txt");
-    err = slurp(folder_ / "err.txt");
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  std::vector<std::string> files_in(const std::string& name) const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_ / name)) names.push_back(entry.path().filename());
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
-  const fs::path& folder() const { return folder_; }
-  std::string out, err;
-
- private:
-  fs::path folder_;
-};
-
-constexpr char kShort[] =
-    "--model ball.obj --size 64x48 --frames-from 1 --frames-to 4 --repetitions 2 --out r ";
-
-}  // namespace
-
-TEST_CASE("a run leaves the results, the page and two pictures a set") {
+TEST_CASE("a run leaves the results, the report and the pictures") {
   Bench bench;
   CHECK(bench.run(std::string(kShort) + "--sets ivdd-0.0013,fad-30 --label 'a ball'") == 0);
-  CHECK(bench.files_in("r") ==
-        std::vector<std::string>{"fad-30-ears.png", "fad-30.png", "ivdd-0.0013-ears.png", "ivdd-0.0013.png",
-                                 "original-ears.png", "original.png", "results.json", "results.md"});
+  CHECK(bench.files_in("r") == std::vector<std::string>{"charts", "pictures", "report.csv", "report.html",
+                                                        "report.md", "results.json", "times.csv"});
+  CHECK(bench.files_in("r/pictures").size() == 8);
+  CHECK(bench.files_in("r/charts") == std::vector<std::string>{"figure-11-12.svg", "figure-9-10.svg"});
   const auto root = nlohmann::json::parse(slurp(bench.folder() / "r" / "results.json"));
-  CHECK(root["model"]["label"] == "a ball");
-  CHECK(root["model"]["file"] == "ball.obj");
+  CHECK(root["complete"] == true);
+  CHECK(root["protocol"] == "quick, changed by options");
   CHECK(root["settings"]["image_width_px"] == 64);
   CHECK(root["settings"]["image_height_px"] == 48);
-  REQUIRE(root["sets"].size() == 3);
-  for (const auto& set : root["sets"]) CHECK(set["repetitions"].size() == 2);
-  CHECK_THAT(slurp(bench.folder() / "r" / "original.png"), Catch::Contains("Original, a ball"));
+  const auto& experiment = root["experiments"][0];
+  CHECK(experiment["model"]["label"] == "a ball");
+  CHECK(experiment["model"]["file"] == "ball.obj");
+  REQUIRE(experiment["sets"].size() == 3);
+  for (const auto& set : experiment["sets"]) CHECK(set["times"].size() == 2);
+  CHECK_FALSE(experiment["sets"][1]["fidelity"].is_null());
+  CHECK_THAT(slurp(bench.folder() / "r/pictures/paper1-original-whole.png"),
+             Catch::Contains("Original, a ball"));
   // Not a terminal: plain lines, the last for the sixth of six visits.
-  CHECK_THAT(bench.err, Catch::Contains("\n[6/6] repetition 2 of 2, ") && !Catch::Contains("\r"));
-  CHECK_THAT(bench.out, Catch::Contains("results.md"));
+  CHECK_THAT(bench.err, Catch::Contains("\n[6/6] paper1, repetition 2 of 2, ") && !Catch::Contains("\r"));
+  CHECK_THAT(bench.out, Catch::Contains("report.html"));
+}
+
+TEST_CASE("all three experiments run on small models") {
+  Bench bench;
+  CHECK(
+      bench.run("--model ball.obj --monkey ball.obj --size 32 --frames-from 0 --frames-to 1 --repetitions 1 "
+                "--views 1 --samples 100 --out r --quiet --sets vt") == 0);
+  const auto root = nlohmann::json::parse(slurp(bench.folder() / "r" / "results.json"));
+  REQUIRE(root["experiments"].size() == 3);
+  for (const auto& experiment : root["experiments"])
+    for (const auto& set : experiment["sets"]) {
+      INFO(experiment["name"] << " " << set["name"]);
+      CHECK(set["triangles"] > 0);
+      CHECK(set["times"].size() == 1);
+      CHECK(set["fidelity"].is_null() == (set["name"] == "original" || set["role"] == "cache"));
+    }
+  const auto page = slurp(bench.folder() / "r" / "report.html");
+  CHECK_THAT(page, Catch::Contains("id=\"peers\"") && Catch::Contains("id=\"error-frame-time\"") &&
+                       Catch::Contains("nothing is known of the spread") && !Catch::Contains("is not there"));
+}
+
+TEST_CASE("the report can be made again from the results alone, there or elsewhere") {
+  Bench bench;
+  REQUIRE(bench.run(std::string(kShort) + "--sets vt --quiet") == 0);
+  const auto html = slurp(bench.folder() / "r/report.html");
+  fs::remove(bench.folder() / "r/report.html");
+  // Without a driver nothing could be drawn.
+  CHECK(bench.run("report r/results.json", "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null") == 0);
+  CHECK(slurp(bench.folder() / "r/report.html") == html);
+  CHECK(bench.run("report r/results.json --out elsewhere") == 0);
+  CHECK(slurp(bench.folder() / "elsewhere/report.html") == html);
 }
 
 TEST_CASE("an option given twice counts as given last, and sets may be given in several goes") {
   Bench bench;
   CHECK(bench.run(std::string(kShort) + "--out r2 --sets fad-30 --sets fad-150 --quiet") == 0);
   CHECK_FALSE(fs::exists(bench.folder() / "r"));
-  CHECK(bench.files_in("r2").size() == 8);
+  CHECK(bench.files_in("r2/pictures").size() == 8);
 }
 
 TEST_CASE("pictures alone: no times, no results, and older results stay as they are") {
   Bench bench;
   fs::create_directories(bench.folder() / "r");
   std::ofstream(bench.folder() / "r" / "results.json") << "older";
-  CHECK(bench.run("--model ball.obj --out r --pictures-only --sets vt") == 0);
-  CHECK(bench.files_in("r") == std::vector<std::string>{"original-ears.png", "original.png", "results.json",
-                                                        "vt-ears.png", "vt.png"});
+  CHECK(bench.run("--model ball.obj --experiments paper1 --out r --pictures-only --sets vt") == 0);
+  CHECK(bench.files_in("r") == std::vector<std::string>{"pictures", "results.json"});
+  CHECK(bench.files_in("r/pictures") ==
+        std::vector<std::string>{"paper1-original-detail.png", "paper1-original-whole.png",
+                                 "paper1-vt-detail.png", "paper1-vt-heat.png", "paper1-vt-whole.png"});
   CHECK(slurp(bench.folder() / "r" / "results.json") == "older");
-  CHECK(bench.out == "pictures are in r\n");
+  CHECK(bench.out == "pictures are in r/pictures\n");
   CHECK_THAT(bench.err, !Catch::Contains("repetition"));
 }
 
@@ -115,11 +94,34 @@ TEST_CASE("bad usage and bad input end with 2 and one line") {
   Bench bench;
   std::ofstream(bench.folder() / "broken.obj") << "f 1 2 3\n";
   std::ofstream(bench.folder() / "points.obj") << "v 1 2 3\n";
-  for (const char* arguments :
-       {"--no-such-option", "--size 0", "--size 12x", "--size 99999", "--repetitions 0", "--repetitions many",
-        "--frames-from 5 --frames-to 5", "--device x", "--device 99", "--sets fad-31",
-        "--model missing.obj --out r", "--model broken.obj --out r", "--model points.obj --out r",
-        "--model ball.obj --out err.txt/r"}) {
+  std::ofstream(bench.folder() / "line.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
+  std::ofstream(bench.folder() / "cut.json") << "{\"schema\":";
+  for (const char* arguments : {"--no-such-option",
+                                "--size 0",
+                                "--size 12x",
+                                "--size 99999",
+                                "--repetitions 0",
+                                "--repetitions many",
+                                "--frames-from 5 --frames-to 5",
+                                "--frames-from 1000000",
+                                "--device x",
+                                "--device 99",
+                                "--sets fad-31",
+                                "--experiments paper3",
+                                "--views 15",
+                                "--quick --paper",
+                                "--model missing.obj --out r",
+                                "--model broken.obj --out r",
+                                "--model points.obj --out r",
+                                "--model line.obj --out r",
+                                "--monkey points.obj --model ball.obj --out r",
+                                "--model ball.obj --out err.txt/r",
+                                "--model ball.obj --out /dev/full",
+                                "report",
+                                "report missing.json",
+                                "report cut.json",
+                                "report ball.obj",
+                                "report /"}) {
     INFO(arguments);
     CHECK(bench.run(arguments) == 2);
     INFO(bench.err);
@@ -137,18 +139,10 @@ TEST_CASE("without a usable EGL device it says what to install") {
   CHECK(std::count(bench.err.begin(), bench.err.end(), '\n') == 1);
 }
 
-TEST_CASE("an interrupt leaves no half file") {
-  Bench bench;
-  CHECK(bench.run("--model ball.obj --size 64 --frames-to 1000000 --out r --quiet",
-                  "timeout -s INT --preserve-status 2") == 130);
-  CHECK_THAT(bench.err, Catch::Contains("interrupted"));
-  for (const auto& name : bench.files_in("r")) CHECK_THAT(name, Catch::EndsWith(".png"));
-}
-
 TEST_CASE("help, version and devices are answered") {
   Bench bench;
   CHECK(bench.run("--help") == 0);
-  CHECK_THAT(bench.out, Catch::Contains("--frames-from"));
+  CHECK_THAT(bench.out, Catch::Contains("--frames-from") && Catch::Contains("report"));
   CHECK(bench.run("--version") == 0);
   CHECK_THAT(bench.out, Catch::StartsWith("whittle-bench "));
   CHECK(bench.run("--list-devices") == 0);

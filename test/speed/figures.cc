@@ -1,7 +1,7 @@
 #include "speed/figures.hh"
 
 #include "catch.hh"
-#include "experiment/Statistics.hh"
+#include "results/Statistics.hh"
 
 using namespace whittle;
 using speed::Json;

@@ -1,4 +1,4 @@
-#include "experiment/Statistics.hh"
+#include "results/Statistics.hh"
 
 #include <algorithm>
 #include <cstddef>
