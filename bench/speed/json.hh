@@ -1,5 +1,5 @@
 /// \file
-/// A run in its written form; docs/benchmarks/README.md describes the fields.
+/// A run in its written form; docs/speed.md describes the fields.
 #pragma once
 
 #include <filesystem>

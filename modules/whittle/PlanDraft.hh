@@ -41,6 +41,7 @@ class PlanDraftT {
       nodes_.push_back({v, v, 0, p});
     }
     plan_.stages.push_back(0);
+    plan_.collapses.reserve(2 * nodes_.size() / 3);  // as many as folds of triangles can make
   }
 
   /// What has become of a vertex; the vertex itself if it still stands.
