@@ -23,7 +23,12 @@ recipe::Recipe make_recipe(const Options& options) {
   recipe::Recipe recipe;
   for (const std::string& text : options.modules) recipe.modules.push_back(recipe::parse_spec(text));
   recipe.target = {options.ratio, options.faces, options.vertices};
-  if (recipe.modules.empty() && recipe.target.any()) recipe.modules.push_back(recipe::parse_spec("mq"));
+  if (recipe.modules.empty()) {
+    if (!recipe.target.any())
+      throw recipe::RecipeError(
+          "--module is required where neither --ratio, --faces nor --vertices is given");
+    recipe.modules.push_back(recipe::parse_spec("mq"));
+  }
   recipe.driver = recipe::parse_driver(options.driver);
   recipe.delaunay = options.delaunay;
   recipe::check(recipe);
@@ -104,7 +109,9 @@ Command add_simplify(CLI::App& app) {
   command->add_option("IN", options->in, "The mesh to simplify")->required();
   command->add_option("OUT", options->out, "Where the result goes; the extension says the format")
       ->required();
-  command->add_option("--module", options->modules, "NAME[:KEY=VALUE,...]; several run one after the other. Default with a target: mq")
+  command
+      ->add_option("--module", options->modules,
+                   "NAME[:KEY=VALUE,...]; several run one after the other. Default with a target: mq")
       ->type_name("SPEC")
       ->take_all()
       ->expected(1);

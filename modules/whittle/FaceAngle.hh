@@ -80,7 +80,7 @@ struct FaceAngle {
 
     template <typename Real>
     void open(const SurfaceT<Real>& surface, std::uint32_t v);
-    double worst_triangle(std::size_t apex) const;
+    double worst_triangle(std::size_t from) const;
   };
   using RatedApex = std::pair<double, std::uint32_t>;
 
@@ -121,7 +121,9 @@ void FaceAngle::Umbrella::open(const SurfaceT<Real>& surface, std::uint32_t v) {
 }
 
 inline bool FaceAngle::is_flat(const Umbrella& umbrella, double min_cos) const {
-  const auto& [vertex, is_closed, center, spokes, normals, squared_areas] = umbrella;
+  const auto &spokes = umbrella.spokes, &normals = umbrella.normals;
+  const auto& squared_areas = umbrella.squared_areas;
+  const bool is_closed = umbrella.is_closed;
   double area = 0;
   for (const double squared : squared_areas) {
     if (!(squared > 0)) return false;  // a degenerate face has no angle to its neighbours
@@ -150,14 +152,14 @@ inline bool FaceAngle::is_flat(const Umbrella& umbrella, double min_cos) const {
 
 /// A measure of the worst triangle of the fan from a place in the ring: the square of `triangle_quality`, but
 /// for a factor.
-inline double FaceAngle::Umbrella::worst_triangle(std::size_t apex) const {
+inline double FaceAngle::Umbrella::worst_triangle(std::size_t from) const {
   const std::size_t n = spokes.size();
   double worst = HUGE_VAL;
   const auto after = [&](std::size_t i) { return i + 1 < n ? i + 1 : 0; };
-  std::size_t left = after(apex);
-  Eigen::Vector3d to_left = spokes[left] - spokes[apex];
-  for (std::size_t right = after(left); right != apex; left = right, right = after(right)) {
-    const Eigen::Vector3d to_right = spokes[right] - spokes[apex];
+  std::size_t left = after(from);
+  Eigen::Vector3d to_left = spokes[left] - spokes[from];
+  for (std::size_t right = after(left); right != from; left = right, right = after(right)) {
+    const Eigen::Vector3d to_right = spokes[right] - spokes[from];
     const double squares =
         to_left.squaredNorm() + to_right.squaredNorm() + (spokes[right] - spokes[left]).squaredNorm();
     const double quality = squares > 0 ? to_left.cross(to_right).squaredNorm() / (squares * squares) : 0;

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "whittle/CollapsePlan.hh"
 #include "whittle/MemorylessQuadricRun.hh"
@@ -36,18 +39,35 @@ struct MemorylessQuadric {
 
   /// \throw InvalidParameter
   template <typename Real>
-  CollapsePlan plan(const SurfaceT<Real>& surface) const;
+  CollapsePlan plan(const SurfaceT<Real>& surface) const {
+    validate();
+    return plan_checked(surface.mesh(), surface.extras().flags, 1);
+  }
+
+  /// Without a surface, which it does not need; `bulk` uses this.
+  /// \throw InvalidMesh, InvalidParameter  as the constructor of SurfaceT.
+  template <typename Real>
+  CollapsePlan plan(const IndexedMeshT<Real>& mesh, SurfaceExtras extras, std::size_t n_threads) const {
+    validate();
+    return plan_checked(mesh, checked(mesh, std::move(extras)).flags, n_threads);
+  }
+
+ private:
+  template <typename Real>
+  CollapsePlan plan_checked(const IndexedMeshT<Real>& mesh, const std::vector<std::uint8_t>& flags,
+                            std::size_t n_threads) const;
 };
 
 template <typename Real>
-CollapsePlan MemorylessQuadric::plan(const SurfaceT<Real>& surface) const {
-  validate();
-  MemorylessQuadricRun run(surface.mesh(), surface.extras().flags, static_cast<float>(guard.min_cos));
+CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<Real>& mesh,
+                                             const std::vector<std::uint8_t>& flags,
+                                             std::size_t n_threads) const {
+  MemorylessQuadricRun run(mesh, flags, static_cast<float>(guard.min_cos), n_threads);
   run.run(target_faces, target_vertices);
   CollapsePlan plan = run.take();
   for (Collapse& collapse : plan.collapses)  // what is held stays just where it is, not where its float is
-    if ((surface.flags(collapse.to) & MemorylessQuadricRun::kHeld) != 0)
-      collapse.target = surface.point(collapse.to);
+    if ((flags[collapse.to] & MemorylessQuadricRun::kHeld) != 0)
+      collapse.target = mesh.points[collapse.to].template cast<double>();
   return plan;
 }
 

@@ -26,7 +26,8 @@ class MemorylessQuadricRun {
   static constexpr std::uint8_t kHeld = kLocked | kFeature | kSeam;  ///< flags of vertices that stay in place
 
   template <typename Real>
-  MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const std::vector<std::uint8_t>& flags, float min_cos);
+  MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const std::vector<std::uint8_t>& flags, float min_cos,
+                       std::size_t n_threads);
 
   /// Collapses until at most so many faces or at most so many vertices are left.
   void run(std::size_t target_faces, std::size_t target_vertices);
@@ -34,7 +35,7 @@ class MemorylessQuadricRun {
   CollapsePlan take() { return std::move(plan_); }
 
  private:
-  MemorylessQuadricRun(MortonOrder order, std::size_t n_vertices, float min_cos);
+  MemorylessQuadricRun(MortonOrder order, std::size_t n_vertices, float min_cos, std::size_t n_threads);
   using Vec = Eigen::Vector3f;
 
   /// What every visit of a vertex needs; the rest lies apart, so that more of these stay in the cache.
@@ -121,8 +122,9 @@ class MemorylessQuadricRun {
 
 template <typename Real>
 MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh,
-                                           const std::vector<std::uint8_t>& flags, float min_cos)
-    : MemorylessQuadricRun(MortonOrder(mesh), mesh.points.size(), min_cos) {
+                                           const std::vector<std::uint8_t>& flags, float min_cos,
+                                           std::size_t n_threads)
+    : MemorylessQuadricRun(MortonOrder(mesh), mesh.points.size(), min_cos, n_threads) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL), high = -low;
   for (const auto& p : mesh.points) {
     low = low.cwiseMin(p.template cast<double>());
@@ -139,7 +141,8 @@ MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh,
   sum_quadrics();
 }
 
-inline MemorylessQuadricRun::MemorylessQuadricRun(MortonOrder order, std::size_t n_vertices, float min_cos)
+inline MemorylessQuadricRun::MemorylessQuadricRun(MortonOrder order, std::size_t n_vertices, float min_cos,
+                                                  std::size_t n_threads)
     : order_(std::move(order)),
       vertices_(n_vertices),
       quadrics_(n_vertices),
@@ -148,7 +151,7 @@ inline MemorylessQuadricRun::MemorylessQuadricRun(MortonOrder order, std::size_t
       n_vertices_(n_vertices),
       min_cos_(min_cos) {
   plan_.stages.push_back(0);
-  const Rings rings(order_.triangles, n_vertices, true, 1);
+  const Rings rings(order_.triangles, n_vertices, true, n_threads);
   table_ = CornerTable(order_.triangles, rings, n_vertices);
   for (std::uint32_t v = 0; v < n_vertices; ++v)
     if (rings.shape(v) == RingShape::complex) holds_[v] = kUntouchable;

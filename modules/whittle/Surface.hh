@@ -42,6 +42,35 @@ struct SurfaceExtras {
   std::vector<Eigen::Vector3d> reference_normals;
 };
 
+/// What every planner takes for granted of its input.
+/// \return the extras with flags for every vertex; those of tolerance 0 are locked.
+/// \throw InvalidMesh, InvalidParameter  as the constructor of SurfaceT.
+template <typename Real>
+SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
+  const std::size_t n_vertices = mesh.points.size(), n_faces = mesh.triangles.size();
+  const auto fits = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
+  if (!fits(extras.flags.size(), n_vertices) || !fits(extras.tolerance.size(), n_vertices) ||
+      !fits(extras.reference_normals.size(), n_faces))
+    throw InvalidParameter("flags, tolerances or normals do not have the size of the mesh");
+  extras.flags.resize(n_vertices, 0);
+  for (std::size_t v = 0; v < n_vertices; ++v)
+    if (!mesh.points[v].allFinite())
+      throw InvalidMesh("vertex " + std::to_string(v) + " has a coordinate that is not finite");
+  for (std::size_t v = 0; v < extras.tolerance.size(); ++v) {
+    const float tolerance = extras.tolerance[v];
+    if (!(tolerance >= 0 && std::isfinite(tolerance)))
+      throw InvalidParameter("vertex " + std::to_string(v) +
+                             " has a tolerance that is negative or not finite");
+    if (tolerance == 0) extras.flags[v] |= kLocked;
+  }
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= n_vertices)
+        throw InvalidMesh("a triangle names vertex " + std::to_string(v) + " of " +
+                          std::to_string(n_vertices));
+  return extras;
+}
+
 /// A read-only view of an indexed mesh with the adjacency that planners need. The mesh must outlive it.
 ///
 /// \tparam Real  precision of the points; all arithmetic on them is done in double.
@@ -104,38 +133,10 @@ class SurfaceT {
   bool is_complex(std::uint32_t v) const { return (flags(v) & kComplex) != 0; }
 
  private:
-  static SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras);
-
   const IndexedMeshT<Real>& mesh_;
   SurfaceExtras extras_;
   Rings rings_;
 };
-
-template <typename Real>
-SurfaceExtras SurfaceT<Real>::checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
-  const std::size_t n_vertices = mesh.points.size(), n_faces = mesh.triangles.size();
-  const auto fits = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
-  if (!fits(extras.flags.size(), n_vertices) || !fits(extras.tolerance.size(), n_vertices) ||
-      !fits(extras.reference_normals.size(), n_faces))
-    throw InvalidParameter("flags, tolerances or normals do not have the size of the mesh");
-  extras.flags.resize(n_vertices, 0);
-  for (std::size_t v = 0; v < n_vertices; ++v)
-    if (!mesh.points[v].allFinite())
-      throw InvalidMesh("vertex " + std::to_string(v) + " has a coordinate that is not finite");
-  for (std::size_t v = 0; v < extras.tolerance.size(); ++v) {
-    const float tolerance = extras.tolerance[v];
-    if (!(tolerance >= 0 && std::isfinite(tolerance)))
-      throw InvalidParameter("vertex " + std::to_string(v) +
-                             " has a tolerance that is negative or not finite");
-    if (tolerance == 0) extras.flags[v] |= kLocked;
-  }
-  for (const Triangle& t : mesh.triangles)
-    for (const std::uint32_t v : t)
-      if (v >= n_vertices)
-        throw InvalidMesh("a triangle names vertex " + std::to_string(v) + " of " +
-                          std::to_string(n_vertices));
-  return extras;
-}
 
 template <typename Real>
 SurfaceT<Real>::SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras, std::size_t n_threads)

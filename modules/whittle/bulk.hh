@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include "whittle/CollapsePlan.hh"
 #include "whittle/IndexedMesh.hh"
+#include "whittle/MemorylessQuadric.hh"
 #include "whittle/Stages.hh"
 #include "whittle/Surface.hh"
 #include "whittle/execute.hh"
@@ -44,7 +46,9 @@ BulkResultT<Real> bulk(const Planner& planner, const IndexedMeshT<Real>& mesh, B
   if (options.passes == 0) throw InvalidParameter("the number of passes must be at least 1");
   const std::size_t threads = options.threads ? options.threads : std::thread::hardware_concurrency();
   RepeatedPlan repeated;
-  {
+  if constexpr (std::is_same_v<Planner, MemorylessQuadric>) {
+    repeated = {planner.plan(mesh, std::move(options.extras), threads), 1};
+  } else {
     const SurfaceT<Real> surface(mesh, std::move(options.extras), threads);
     repeated = plan_passes(planner, surface, options.passes,
                            [&](const auto& stages) { return stages.n_faces() <= options.min_faces; });

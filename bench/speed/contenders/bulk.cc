@@ -10,6 +10,7 @@
 #include "whittle/SphereScan.hh"
 #include "whittle/VertexDistance.hh"
 #include "whittle/VertexTripletDistance.hh"
+#include "whittle/bulk.hh"
 #include "whittle/execute.hh"
 
 namespace whittle::speed {
@@ -43,14 +44,34 @@ class BulkContender : public Contender {
   ExecutedT<float> out_;
 };
 
-template <typename Planner>
-Entry entry(const char* module, const Planner& planner) {
+/// mq needs no surface, and so has no phases.
+class MqContender : public Contender {
+ public:
+  explicit MqContender(const MemorylessQuadric& planner) : planner_(planner) {}
+
+  void load(const Subject& subject) override { arrays_ = &subject.arrays; }
+  void decimate(Phases&) override { out_ = bulk(planner_, *arrays_); }
+  Arrays unload() override { return std::move(out_.mesh); }
+
+ private:
+  MemorylessQuadric planner_;
+  const Arrays* arrays_ = nullptr;
+  BulkResultT<float> out_;
+};
+
+template <typename ContenderOf, typename Planner>
+Entry entry_of(const char* module, const Planner& planner) {
   Entry e;
   e.method = "bulk";
   e.module = module;
   e.in_place = true;
-  e.make = [planner] { return std::make_unique<BulkContender<Planner>>(planner); };
+  e.make = [planner] { return std::make_unique<ContenderOf>(planner); };
   return e;
+}
+
+template <typename Planner>
+Entry entry(const char* module, const Planner& planner) {
+  return entry_of<BulkContender<Planner>>(module, planner);
 }
 
 }  // namespace
@@ -72,7 +93,7 @@ std::vector<Entry> mq_entries(const std::vector<Target>& targets) {
   for (const Target& target : targets) {
     MemorylessQuadric mq;
     mq.target_faces = target.faces;
-    entries.push_back(entry("mq", mq));
+    entries.push_back(entry_of<MqContender>("mq", mq));
     entries.back().target = target.name;
     entries.back().target_faces = target.faces;
   }
