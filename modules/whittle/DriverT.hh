@@ -49,12 +49,23 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
            faces_ <= target_.faces;
   }
 
+  /// What OpenMesh's decimaters call legal.
+  bool is_legal(HalfedgeHandle h) {
+    if constexpr (Mesh::is_trimesh())
+      return connectivity_.is_legal(h);
+    else  // faces may have more corners
+      return this->is_collapse_legal(CollapseInfo(mesh_, h));
+  }
+
   /// Executes a legal collapse with all that belongs to it.
   void execute(CollapseInfo& ci) {
     --vertices_;
     faces_ -= (ci.fl.is_valid() ? 1u : 0u) + (ci.fr.is_valid() ? 1u : 0u);
     this->preprocess_collapse(ci);
-    connectivity_.collapse(ci.v0v1);
+    if constexpr (Mesh::is_trimesh())
+      connectivity_.collapse(ci.v0v1);
+    else
+      mesh_.collapse(ci.v0v1);
     if (mesh_.has_face_normals())
       for (auto f = mesh_.cvf_iter(ci.v1); f.is_valid(); ++f)
         mesh_.set_normal(*f, mesh_.calc_face_normal(*f));

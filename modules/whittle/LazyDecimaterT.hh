@@ -62,7 +62,7 @@ void LazyDecimaterT<MeshT>::judge(VertexHandle v, bool only_legal) {
   candidate.queued = candidate.marked = false;
   float best = FLT_MAX;
   for (auto h = this->mesh_.cvoh_iter(v); h.is_valid(); ++h) {
-    if (only_legal && !this->connectivity_.is_legal(*h)) continue;
+    if (only_legal && !this->is_legal(*h)) continue;
     const CollapseInfo ci(this->mesh_, *h);
     const float priority = this->collapse_priority(ci);
     if (priority < 0 || priority >= best) continue;
@@ -99,7 +99,7 @@ void LazyDecimaterT<MeshT>::run(bool only_selected) {
       judge(v0, false);
       continue;
     }
-    if (!this->connectivity_.is_legal(candidate.collapse)) {
+    if (!this->is_legal(candidate.collapse)) {
       judge(v0, true);
       continue;
     }

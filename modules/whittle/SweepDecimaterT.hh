@@ -72,7 +72,7 @@ class SweepDecimaterT : public DriverT<MeshT> {
   bool try_execute(const Collapse& collapse) {
     const auto edge = this->connectivity_.find(VertexHandle(static_cast<int>(collapse.from)),
                                                VertexHandle(static_cast<int>(collapse.to)));
-    if (!edge.is_valid() || !this->connectivity_.is_legal(edge)) return false;
+    if (!edge.is_valid() || !this->is_legal(edge)) return false;
     CollapseInfo ci(this->mesh_, edge);
     if (this->collapse_priority(ci) < 0) return false;
     this->execute(ci);

@@ -1,10 +1,13 @@
 #include "whittle/LazyDecimaterT.hh"
 
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+
 #include "OpenMeshFixture.hh"
 #include "measure/Distance.hh"
 #include "measure/MeshFacts.hh"
 #include "whittle/ModFaceAngleT.hh"
 #include "whittle/ModVertexDistanceT.hh"
+#include "whittle/SweepDecimaterT.hh"
 
 using namespace whittle;
 using fixture::Mesh;
@@ -82,4 +85,16 @@ TEST_CASE("the lazy decimater honours targets, selection and observers") {
   fixture::StopAfter stop(3);
   decimater.set_observer(&stop);
   CHECK(decimater.decimate() == 3);
+}
+
+TEST_CASE("the drivers take meshes that could have polygons, too") {
+  using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(24, 14), 0.03, 2);
+  const auto fad = [](auto& module) { module.set_max_normal_angle(60); };
+  const auto tri = fixture::run<SweepDecimaterT, ModFaceAngleT>(fixture::to_openmesh<Mesh>(mesh), fad);
+  const auto swept = fixture::run<SweepDecimaterT, ModFaceAngleT>(fixture::to_openmesh<PolyMesh>(mesh), fad);
+  const auto lazy = fixture::run<LazyDecimaterT, ModFaceAngleT>(fixture::to_openmesh<PolyMesh>(mesh), fad);
+  CHECK(tri.triangles.size() < mesh.triangles.size());
+  CHECK(meshes::canonical(swept) == meshes::canonical(tri));
+  CHECK(meshes::canonical(lazy) == meshes::canonical(tri));
 }
