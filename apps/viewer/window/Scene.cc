@@ -1,0 +1,176 @@
+#include "window/Scene.hh"
+
+#include <algorithm>
+#include <utility>
+
+namespace whittle::viewer {
+namespace {
+
+std::unique_ptr<render::PointBuffer> line_buffer(const std::vector<std::array<std::uint32_t, 2>>& ends,
+                                                 const IndexedMesh& mesh, const Eigen::Vector3d& origin) {
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(2 * ends.size());
+  for (const auto& [a, b] : ends) {
+    points.push_back(mesh.points[a]);
+    points.push_back(mesh.points[b]);
+  }
+  return std::make_unique<render::PointBuffer>(points, origin);
+}
+
+/// Confines viewport and clearing; rectangles count from above, OpenGL from below.
+void confine(const Pane& pane, int framebuffer_height) {
+  const auto bottom = [&](const Rect& r) { return framebuffer_height - r.y - r.height; };
+  glViewport(pane.picture.x, bottom(pane.picture), pane.picture.width, pane.picture.height);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(pane.seen.x, bottom(pane.seen), std::max(pane.seen.width, 0), std::max(pane.seen.height, 0));
+}
+
+void clear() {
+  const Eigen::Vector3f c = look().background;
+  glClearColor(c.x(), c.y(), c.z(), 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+}  // namespace
+
+Eigen::Vector4f edge_colour(EdgeSet set) {
+  switch (set) {
+    case EdgeSet::boundary:
+      return {0.20f, 0.85f, 0.40f, 1};
+    case EdgeSet::nonmanifold:
+      return {1.00f, 0.20f, 0.60f, 1};
+    case EdgeSet::feature:
+      return {0.16f, 0.45f, 0.95f, 1};
+    default:
+      return {0.98f, 0.80f, 0.20f, 1};
+  }
+}
+
+render::Look look() {
+  render::Look look;
+  look.background = {0.250f, 0.268f, 0.292f};
+  return look;
+}
+
+void Scene::update(const Session& session, const News& news) {
+  if (news.model) {
+    original_ = {};
+    result_ = {};
+    original_.mesh = std::make_unique<render::MeshBuffers>(session.model()->mesh());
+  }
+  if (news.outcome) {
+    result_ = {};
+    original_.heat.reset();
+    result_.mesh = std::make_unique<render::MeshBuffers>(session.outcome()->mesh());
+  }
+  if (news.comparison && session.comparison()) {
+    original_.heat = std::make_unique<render::ValueBuffer>(session.comparison()->original_heat);
+    result_.heat = std::make_unique<render::ValueBuffer>(session.comparison()->result_heat);
+  }
+  if (news.plan || !session.plan()) {
+    plan_lines_.reset();
+    plan_targets_.reset();
+  }
+  if (news.plan && session.plan() && original_.mesh) {
+    std::vector<Eigen::Vector3d> ends;
+    for (const Merge& merge : session.plan()->merges) {
+      ends.push_back(merge.from);
+      ends.push_back(merge.to);
+    }
+    plan_lines_ = std::make_unique<render::PointBuffer>(ends, original_.mesh->origin());
+    plan_targets_ = std::make_unique<render::PointBuffer>(session.plan()->targets, original_.mesh->origin());
+  }
+}
+
+double Scene::heat_top(const Session& session, const View& view) {
+  if (view.heat_top) return *view.heat_top;
+  return session.comparison() ? session.comparison()->heat_top : 0;
+}
+
+std::optional<double> Scene::frame_milliseconds(Which which) const {
+  return (which == Which::original ? original_ : result_).clock.milliseconds();
+}
+
+void Scene::draw(const Session& session, const View& view, const Rect& area, int framebuffer_height,
+                 float pixel) {
+  if (area.width < 1 || area.height < 1) return;
+  if (!session.model() || !original_.mesh) {
+    confine({Which::original, area, area}, framebuffer_height);
+    clear();
+  } else {
+    for (const Pane& pane : panes(view, area, result_.mesh != nullptr))
+      draw_pane(session, view, pane, framebuffer_height, pixel);
+  }
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Scene::draw_pane(const Session& session, const View& view, const Pane& pane, int framebuffer_height,
+                      float pixel) {
+  if (pane.seen.width < 1 || pane.seen.height < 1) return;
+  confine(pane, framebuffer_height);
+  Side& drawn = side(pane.which);
+  const Eigen::AlignedBox3d box = render::bounding_box(session.model()->mesh());
+  const render::Camera camera = view.orbit.camera(box, pane.picture.aspect());
+  drawn.clock.begin();
+  draw_surface(drawn, view, camera, static_cast<float>(heat_top(session, view)));
+  drawn.clock.end();
+
+  const bool is_original = pane.which == Which::original;
+  const Comparison* comparison = session.comparison();
+  draw_edges(drawn, is_original ? session.model()->mesh() : session.outcome()->mesh(),
+             is_original  ? &session.model()->inspection.edges
+             : comparison ? &comparison->inspection.edges
+                          : nullptr,
+             view, camera, pixel);
+  if (view.plan && is_original && plan_lines_) {
+    lines_.draw_lines(*plan_lines_, camera, kPlanColour, 1.3f * pixel);
+    lines_.draw_dots(*plan_targets_, camera, kTargetColour, 3.2f * pixel);
+  }
+}
+
+void Scene::draw_surface(Side& drawn, const View& view, const render::Camera& camera, float heat_top) {
+  const bool wires = view.shading == Shading::wires || view.shading == Shading::wires_over;
+  const render::MeshBuffers& mesh = *drawn.mesh;
+  const bool heated = view.heat && drawn.heat;
+  std::optional<render::PushBack> behind_wires;
+  if (wires) behind_wires.emplace();
+  if (view.shading == Shading::wires) {
+    render::Look hidden = look();
+    hidden.front = hidden.back = hidden.background;
+    render::SurfaceStyle style;
+    style.lit = false;
+    clear();
+    surfaces_.draw(mesh, camera, style, hidden);
+  } else if (heated || view.shading == Shading::flat) {
+    render::SurfaceStyle style;
+    style.flat = view.shading == Shading::flat;
+    if (heated) style.values = drawn.heat.get();
+    style.value_at_top = std::max(heat_top, 1e-30f);
+    clear();
+    surfaces_.draw(mesh, camera, style, look());
+  } else {
+    renderer_.draw(mesh, camera, look());
+  }
+  behind_wires.reset();
+  if (view.shading == Shading::wires)
+    surfaces_.draw_wires(mesh, camera, {0.80f, 0.83f, 0.87f, 0.85f}, {0.90f, 0.32f, 0.26f, 0.85f});
+  if (view.shading == Shading::wires_over)
+    surfaces_.draw_wires(mesh, camera, {0.10f, 0.11f, 0.13f, 0.38f}, {0.20f, 0.02f, 0.02f, 0.38f});
+}
+
+void Scene::draw_edges(Side& drawn, const IndexedMesh& mesh, const std::vector<Edge>* edges, const View& view,
+                       const render::Camera& camera, float pixel) {
+  if (!edges) return;
+  for (const EdgeSet set : kEdgeSets) {
+    if (!view.shows(set)) continue;
+    auto& buffer = drawn.edges[static_cast<std::size_t>(set)];
+    const bool outdated = set == EdgeSet::feature && drawn.feature_angle != view.feature_angle;
+    if (!buffer || outdated) {
+      buffer = line_buffer(select(*edges, set, view.feature_angle), mesh, drawn.mesh->origin());
+      if (set == EdgeSet::feature) drawn.feature_angle = view.feature_angle;
+    }
+    lines_.draw_lines(*buffer, camera, edge_colour(set), 2.2f * pixel);
+  }
+}
+
+}  // namespace whittle::viewer
