@@ -35,6 +35,11 @@ class Orbit {
   double yaw() const { return yaw_; }
   double pitch() const { return pitch_; }
 
+  bool operator==(const Orbit& other) const {
+    return target_ == other.target_ && distance_ == other.distance_ && yaw_ == other.yaw_ &&
+           pitch_ == other.pitch_ && up_ == other.up_;
+  }
+
  private:
   render::ViewPoint view_point() const;
   Eigen::Matrix3d rotation() const;  ///< rows: right, up, toward the eye

@@ -11,7 +11,7 @@ nlohmann::ordered_json numbers(const Session& session) {
   root["command"] = "view";
   root["recipe"] = options_text(session.recipe());
   root["problem"] = session.problem().empty() ? Json() : Json(session.problem());
-  root["original"] = root["simplified"] = root["stages"] = root["distance"] = root["plan"] = nullptr;
+  for (const char* name : {"original", "simplified", "stages", "distance", "plan"}) root[name] = nullptr;
   if (const Model* model = session.model())
     root["original"] = {{"file", model->path},
                         {"read", cli::to_json(model->file.report)},

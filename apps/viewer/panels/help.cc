@@ -2,7 +2,8 @@
 
 #include <imgui.h>
 
-#include <algorithm>
+#include <iterator>
+#include <string>
 
 #include "panels/widgets.hh"
 #include "window/theme.hh"
@@ -41,7 +42,10 @@ void settings(Ui& ui) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Upward");
   ImGui::SameLine(ImGui::GetFontSize() * 8);
-  if (ImGui::RadioButton("y", &up, 0) | ImGui::RadioButton("z", &up, 1)) {
+  bool changed = ImGui::RadioButton("y", &up, 0);
+  ImGui::SameLine();
+  changed = ImGui::RadioButton("z", &up, 1) || changed;
+  if (changed) {
     ui.view.orbit.set_up(up == 1 ? Orbit::Up::z : Orbit::Up::y);
     ui.frame_wanted = true;
   }

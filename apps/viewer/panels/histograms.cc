@@ -56,6 +56,8 @@ double tallest_of(const Histogram& h) {
 
 /// The threshold that the selected module has for a quantity, in the histogram's units.
 std::optional<double> threshold(const Ui& ui, const recipe::Spec& spec, const std::string& key) {
+  if (key == "angle" && !spec.has("included"))
+    return spec.number(key).value_or(spec.name == "fad" || spec.name == "fass" ? 30 : 90);
   if (key.empty() || !spec.has(key)) return std::nullopt;
   return spec.length(key, ui.session.model()->scale);
 }

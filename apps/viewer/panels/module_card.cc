@@ -52,7 +52,7 @@ void length_knob(const Knob& knob) {
   const Length length = knob.given() ? parse_length(knob.value()) : Length{0, Unit::edges};
   const SliderRange range = slider_range(knob.key, length.unit, scale);
   double amount = knob.given() ? length.amount : range.start;
-  const float unit_width = ImGui::GetFontSize() * 7.2f;
+  const float unit_width = ImGui::GetFontSize() * 6.6f;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_width - ImGui::GetStyle().ItemSpacing.x);
   if (slider("##amount", amount, range, "%.4g"))
     knob.set(Length{std::max(0.0, rounded(amount, 3)), length.unit}.text(), true);
@@ -111,7 +111,7 @@ void draw_knob(const Knob& knob) {
     if (ImGui::Selectable("Back to the default")) knob.set("", false);
     ImGui::EndPopup();
   }
-  ImGui::SameLine(ImGui::GetFontSize() * 6);
+  ImGui::SameLine(ImGui::GetFontSize() * 5.4f);
   if (!knob.given()) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.6f);
   const bool dimmed = !knob.given();
   if (knob.key.kind == KeyKind::length)
@@ -178,10 +178,11 @@ bool title_row(Ui& ui, std::size_t place, const Spec& spec) {
 float card_height(const Spec& spec, bool more) {
   std::size_t main = 0, rest = 0;
   for (const Key& key : recipe::find_module(spec.name).keys) ++(is_main(spec, key) ? main : rest);
-  const float rows =
-      1 + static_cast<float>(main) + (rest > 0 ? 1 : 0) + (more ? static_cast<float>(rest) : 0);
-  return rows * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetStyle().WindowPadding.y -
-         ImGui::GetStyle().ItemSpacing.y;
+  const float knobs = static_cast<float>(1 + main + (more ? rest : 0));
+  const float more_row = rest > 0 ? ImGui::GetTextLineHeightWithSpacing() : 0;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return knobs * ImGui::GetFrameHeightWithSpacing() + more_row + 2 * style.WindowPadding.y -
+         style.ItemSpacing.y;
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ void counts(const Ui& ui) {
   fact("pieces", a.components, &measure::MeshFacts::components);
   row("mean edge", figure(a.mean_edge), b ? figure(b->mean_edge) : "…", "model units");
   row("frame time", milliseconds(ui.original_frame_ms), milliseconds(ui.result_frame_ms),
-      "drawing the surface once, on the graphics device; the median of the last frames");
+      "shaded, 512 by 512 pixels, as whittle-bench draws it; the median of five frames");
   ImGui::EndTable();
 }
 

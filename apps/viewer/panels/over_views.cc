@@ -47,8 +47,12 @@ void captions(const Ui& ui) {
   for (const Pane& pane : panes(ui.view, ui.area, ui.session.outcome() != nullptr)) {
     const bool right = ui.view.layout == Layout::split && pane.which == Which::result;
     const auto x = static_cast<float>(right ? ui.area.x + ui.area.width : pane.picture.x);
+    const auto left = static_cast<float>(pane.seen.x), top = static_cast<float>(pane.seen.y);
+    canvas()->PushClipRect({left, top}, {left + static_cast<float>(pane.seen.width),
+                                         top + static_cast<float>(pane.seen.height)});
     label({right ? x - margin : x + margin, static_cast<float>(ui.area.y) + margin}, caption(ui, pane.which),
           ui.scale, right ? 1 : 0);
+    canvas()->PopClipRect();
   }
 }
 
@@ -75,10 +79,10 @@ void middle_line(const Ui& ui) {
 void legend(const Ui& ui) {
   if (!ui.view.heat || !ui.session.comparison()) return;
   const float s = ui.scale, line = ImGui::GetFontSize();
-  const float width = 15 * s, height = std::min(260 * s, 0.5f * static_cast<float>(ui.area.height));
+  const float width = 15 * s, height = std::min(170 * s, 0.5f * static_cast<float>(ui.area.height));
   const float x = static_cast<float>(ui.area.x) + 22 * s;
   const float top = static_cast<float>(ui.area.y + ui.area.height) - height - 2.2f * line;
-  const float text_width = ImGui::CalcTextSize("0.0001234  0.0000 %").x;
+  const float text_width = ImGui::CalcTextSize("0.000123 +   0.0000 %").x;
   canvas()->AddRectFilled({x - 10 * s, top - 2.4f * line},
                           {x + width + text_width + 18 * s, top + height + line},
                           tone(0.10f, 0.11f, 0.12f, 0.72f), 5 * s);
@@ -93,11 +97,13 @@ void legend(const Ui& ui) {
   const double diagonal = ui.session.model()->scale.diagonal;
   for (int i = 0; i <= 4; ++i) {
     const double value = ui.heat_top * i / 4;
-    char text[64];
-    std::snprintf(text, sizeof text, "%s%.3g  %.3g %%", i == 4 && !ui.view.heat_top ? ">" : "", value,
-                  diagonal > 0 ? 100 * value / diagonal : 0);
-    const float y = top + height * (1 - static_cast<float>(i) / 4);
-    canvas()->AddText({x + width + 8 * s, y - line / 2}, ImGui::GetColorU32(ImGuiCol_Text), text);
+    char units[32], percent[32];
+    std::snprintf(units, sizeof units, "%.3g%s", value, i == 4 ? " +" : "");
+    std::snprintf(percent, sizeof percent, "%.3f %%", diagonal > 0 ? 100 * value / diagonal : 0);
+    const float y = top + height * (1 - static_cast<float>(i) / 4) - line / 2, left = x + width + 8 * s;
+    const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+    canvas()->AddText({left, y}, ink, units);
+    canvas()->AddText({left + text_width - ImGui::CalcTextSize(percent).x, y}, ink, percent);
   }
 }
 

@@ -1,6 +1,9 @@
 #include <imgui.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <string>
+#include <utility>
 
 #include "model/RecipeEdit.hh"
 #include "model/RecipeText.hh"
@@ -149,6 +152,26 @@ void run_row(Ui& ui) {
   tip("whittle simplify … with exactly this recipe (Ctrl+Shift+C)");
 }
 
+/// What each module did.
+void stages(const Ui& ui) {
+  const Outcome* outcome = ui.session.outcome();
+  if (!outcome) return;
+  heading("What they did");
+  for (const recipe::StageResult& stage : outcome->result.stages) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(stage.module.c_str());
+    ImGui::PopTextWrapPos();
+    char milliseconds[64];
+    std::snprintf(milliseconds, sizeof milliseconds, "%.1f + %.1f ms", 1e3 * stage.plan_seconds,
+                  1e3 * stage.execute_seconds);
+    quiet_text(grouped(stage.faces_before) + " → " + grouped(stage.faces_after) + " triangles, " +
+               recipe::to_string(stage.driver) + ", " + milliseconds);
+    tip("planning + execution; refused by the flip guard: " + grouped(stage.record.refused_by_flip_guard) +
+        ", by the link condition: " + grouped(stage.record.refused_by_link) +
+        ", by a constraint: " + grouped(stage.refused_by_decimater));
+  }
+}
+
 }  // namespace
 
 void draw_recipe_panel(Ui& ui, const Rect& place) {
@@ -173,6 +196,7 @@ void draw_recipe_panel(Ui& ui, const Rect& place) {
     ImGui::TextWrapped("%s", ui.session.problem().c_str());
     ImGui::PopStyleColor();
   }
+  stages(ui);
   ImGui::End();
 }
 

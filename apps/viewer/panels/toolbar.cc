@@ -43,7 +43,7 @@ void layout_buttons(Ui& ui) {
 void shading_choice(Ui& ui) {
   constexpr const char* kNames[] = {"Shaded", "Flat", "Wireframe", "Wire over shaded"};
   int shading = static_cast<int>(ui.view.shading);
-  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 9.5f);
+  ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11.5f);
   if (ImGui::Combo("##shading", &shading, kNames, 4)) ui.view.shading = static_cast<Shading>(shading);
   tip("How faces are drawn (S for the next); faces seen from behind are red");
 }

@@ -19,7 +19,7 @@
 namespace whittle::viewer {
 namespace {
 
-constexpr double kIdle = 0.5, kBusy = 0.1;  // seconds
+constexpr double kIdle = 5, kBusy = 0.1;  // seconds
 
 }  // namespace
 
@@ -56,7 +56,9 @@ void App::run(std::vector<Command> script) {
   script_.assign(script.begin(), script.end());
   while (!window_.wants_to_close()) {
     const bool busy = !session_.settled();
-    step(!script_.empty() || frames_due_ > 0 ? 0 : busy ? kBusy : kIdle);
+    const bool script_waits = !script_.empty() && script_.front().name == "wait" && busy;
+    const bool due = (!script_.empty() && !script_waits) || frames_due_ > 0 || more_to_time_;
+    step(due ? 0 : busy || ImGui::GetTime() < ui_.note_until ? kBusy : kIdle);
     follow_script();
   }
 }
@@ -65,7 +67,7 @@ void App::settle() {
   do {
     step(session_.settled() ? 0 : kBusy);
     if (!session_.errors.empty()) throw ScriptError(session_.errors.front());
-  } while (!session_.settled());
+  } while (!at_rest());
 }
 
 void App::step(double longest_wait) {
@@ -80,10 +82,15 @@ void App::step(double longest_wait) {
   take_news();
   const int width = window_.width(), height = window_.height();
   if (width < 1 || height < 1) return;  // minimised
+  more_to_time_ = frames_due_ == 0 && session_.settled() && scene_->time_frames(session_);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   draw(width, height, 1, true);
   window_.swap();
   serve_requests();
+}
+
+bool App::at_rest() const {
+  return session_.settled() && frames_due_ == 0 && !more_to_time_;
 }
 
 void App::take_input() {
@@ -141,12 +148,7 @@ void App::draw(int width, int height, double pixels_a_unit, bool panels) {
   } catch (const std::exception& error) {
     session_.errors.push_back(error.what());
   }
-  if (ui_.frame_wanted && session_.model()) {
-    const auto shown = panes(view_, ui_.area, session_.outcome() != nullptr);
-    view_.orbit.frame(render::bounding_box(session_.model()->mesh()), shown.front().picture.aspect());
-    // Until there is a result, the original is seen alone, and framed for that.
-    ui_.frame_wanted = first_model_ && session_.decimating();
-  }
+  keep_framed();
   ImGui::Render();
 
   const auto pixels = [&](int x) { return static_cast<int>(std::lround(x * pixels_a_unit)); };
@@ -154,6 +156,17 @@ void App::draw(int width, int height, double pixels_a_unit, bool panels) {
   scene_->draw(session_, view_, area, height, ui_.scale * static_cast<float>(pixels_a_unit));
   glViewport(0, 0, width, height);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void App::keep_framed() {
+  if (!session_.model()) return;
+  const double aspect = panes(view_, ui_.area, session_.outcome() != nullptr).front().picture.aspect();
+  const bool reshaped = view_.orbit == framed_ && aspect != framed_aspect_;
+  if (!ui_.frame_wanted && !reshaped) return;
+  view_.orbit.frame(render::bounding_box(session_.model()->mesh()), aspect);
+  framed_ = view_.orbit;
+  framed_aspect_ = aspect;
+  ui_.frame_wanted = false;
 }
 
 render::Image App::picture(int width, int height, bool whole_window) {

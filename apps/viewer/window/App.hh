@@ -37,11 +37,15 @@ class App {
 
  private:
   void step(double longest_wait);
+  bool at_rest() const;  ///< nothing is under way or still to be drawn
   void take_input();
   void take_news();
   /// One frame into the bound framebuffer of this size in pixels, panels or not.
   void draw(int width, int height, double pixels_a_unit, bool panels);
   void lay_out(float width, float height, bool panels);
+  /// Frames the model if that was asked for, or if the picture has changed its shape under an untouched
+  /// camera.
+  void keep_framed();
   void serve_requests();
   void set_scale();
   void write_picture(const std::string& path, int width, int height, bool whole_window);
@@ -61,7 +65,9 @@ class App {
   std::deque<Command> script_;
   int slide_step_ = 0;
   int frames_due_ = 3;  ///< after an event: some of ImGui's answers show a frame later
-  bool first_model_ = true;
+  bool more_to_time_ = false;
+  Orbit framed_;  ///< the camera as the last framing left it
+  double framed_aspect_ = 0;
 };
 
 }  // namespace whittle::viewer

@@ -1,7 +1,11 @@
 #include "window/Scene.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "render/FrameTimer.hh"
+#include "render/Framebuffer.hh"
 
 namespace whittle::viewer {
 namespace {
@@ -16,6 +20,9 @@ std::unique_ptr<render::PointBuffer> line_buffer(const std::vector<std::array<st
   }
   return std::make_unique<render::PointBuffer>(points, origin);
 }
+
+constexpr std::size_t kFrameSamples = 5;
+constexpr int kFrameSize = 512;
 
 /// Confines viewport and clearing; rectangles count from above, OpenGL from below.
 void confine(const Pane& pane, int framebuffer_height) {
@@ -87,8 +94,27 @@ double Scene::heat_top(const Session& session, const View& view) {
   return session.comparison() ? session.comparison()->heat_top : 0;
 }
 
+bool Scene::time_frames(const Session& session) {
+  const auto wanting = [](const Side& s) { return s.mesh && s.frame_ms.size() < kFrameSamples; };
+  if (!session.model() || (!wanting(original_) && !wanting(result_))) return false;
+  const render::Framebuffer framebuffer(kFrameSize, kFrameSize);
+  const Eigen::AlignedBox3d box = render::bounding_box(session.model()->mesh());
+  const render::Camera camera = render::frame(box, box, 1);
+  for (Side* drawn : {&original_, &result_}) {
+    if (!wanting(*drawn)) continue;
+    framebuffer.bind();
+    const auto draw_frame = [&] { renderer_.draw(*drawn->mesh, camera); };
+    const std::size_t warm_up = drawn->frame_ms.empty() ? 1 : 0;
+    drawn->frame_ms.push_back(render::time_frames(draw_frame, {warm_up, warm_up + 1}).wall_ms);
+  }
+  return true;
+}
+
 std::optional<double> Scene::frame_milliseconds(Which which) const {
-  return (which == Which::original ? original_ : result_).clock.milliseconds();
+  std::vector<double> samples = (which == Which::original ? original_ : result_).frame_ms;
+  if (samples.size() < kFrameSamples) return std::nullopt;
+  std::sort(samples.begin(), samples.end());
+  return samples[samples.size() / 2];
 }
 
 void Scene::draw(const Session& session, const View& view, const Rect& area, int framebuffer_height,
@@ -111,9 +137,13 @@ void Scene::draw_pane(const Session& session, const View& view, const Pane& pane
   Side& drawn = side(pane.which);
   const Eigen::AlignedBox3d box = render::bounding_box(session.model()->mesh());
   const render::Camera camera = view.orbit.camera(box, pane.picture.aspect());
-  drawn.clock.begin();
-  draw_surface(drawn, view, camera, static_cast<float>(heat_top(session, view)));
-  drawn.clock.end();
+  const std::size_t faces = drawn.mesh->triangles();
+  const double edge =
+      session.model()->scale.mean_edge *
+      std::sqrt(double(session.model()->mesh().triangles.size()) / double(std::max<std::size_t>(faces, 1)));
+  const double edge_pixels =
+      edge / view.orbit.distance() * camera.projection(1, 1) * pane.picture.height / 2 / double(pixel);
+  draw_surface(drawn, view, camera, static_cast<float>(heat_top(session, view)), edge_pixels);
 
   const bool is_original = pane.which == Which::original;
   const Comparison* comparison = session.comparison();
@@ -128,7 +158,8 @@ void Scene::draw_pane(const Session& session, const View& view, const Pane& pane
   }
 }
 
-void Scene::draw_surface(Side& drawn, const View& view, const render::Camera& camera, float heat_top) {
+void Scene::draw_surface(Side& drawn, const View& view, const render::Camera& camera, float heat_top,
+                         double edge_pixels) {
   const bool wires = view.shading == Shading::wires || view.shading == Shading::wires_over;
   const render::MeshBuffers& mesh = *drawn.mesh;
   const bool heated = view.heat && drawn.heat;
@@ -152,10 +183,14 @@ void Scene::draw_surface(Side& drawn, const View& view, const render::Camera& ca
     renderer_.draw(mesh, camera, look());
   }
   behind_wires.reset();
+  // Where edges lie closer than a pixel or two, wires would cover everything: they fade instead.
+  const auto strength = static_cast<float>(std::clamp(edge_pixels / 14, 0.12, 0.75));
   if (view.shading == Shading::wires)
-    surfaces_.draw_wires(mesh, camera, {0.80f, 0.83f, 0.87f, 0.85f}, {0.90f, 0.32f, 0.26f, 0.85f});
+    surfaces_.draw_wires(mesh, camera, {0.80f, 0.83f, 0.87f, 1.2f * strength},
+                         {0.90f, 0.32f, 0.26f, 1.2f * strength});
   if (view.shading == Shading::wires_over)
-    surfaces_.draw_wires(mesh, camera, {0.10f, 0.11f, 0.13f, 0.38f}, {0.20f, 0.02f, 0.02f, 0.38f});
+    surfaces_.draw_wires(mesh, camera, {0.10f, 0.11f, 0.13f, 0.7f * strength},
+                         {0.20f, 0.02f, 0.02f, 0.7f * strength});
 }
 
 void Scene::draw_edges(Side& drawn, const IndexedMesh& mesh, const std::vector<Edge>* edges, const View& view,

@@ -5,11 +5,11 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "model/Session.hh"
 #include "model/View.hh"
 #include "model/panes.hh"
-#include "render/DrawClock.hh"
 #include "render/LinePainter.hh"
 #include "render/SurfacePainter.hh"
 
@@ -31,7 +31,11 @@ class Scene {
   /// Draws into the bound framebuffer of this height, in pixels. \param pixel  width of a thin line.
   void draw(const Session& session, const View& view, const Rect& area, int framebuffer_height, float pixel);
 
-  /// The time of one drawing of a mesh on the graphics device.
+  /// Times one frame of each mesh, if they still need it: to be called when there is nothing else to do.
+  /// \return whether more of that is to be done.
+  bool time_frames(const Session& session);
+  /// How long a frame takes: the Renderer at 512 by 512 pixels, as the benchmark draws it. The median of a
+  /// few; none before.
   std::optional<double> frame_milliseconds(Which which) const;
 
   /// The distance that gets the last heat colour, in model units.
@@ -44,13 +48,15 @@ class Scene {
     std::unique_ptr<render::ValueBuffer> heat;
     std::array<std::unique_ptr<render::PointBuffer>, 4> edges;  ///< by EdgeSet
     double feature_angle = -1;                                  ///< of the feature edges in `edges`
-    render::DrawClock clock;
+    std::vector<double> frame_ms;                               ///< samples so far
   };
 
   Side& side(Which which) { return which == Which::original ? original_ : result_; }
   void draw_pane(const Session& session, const View& view, const Pane& pane, int framebuffer_height,
                  float pixel);
-  void draw_surface(Side& side, const View& view, const render::Camera& camera, float heat_top);
+  /// \param edge_pixels  how long a mean edge in the middle of the picture is.
+  void draw_surface(Side& side, const View& view, const render::Camera& camera, float heat_top,
+                    double edge_pixels);
   void draw_edges(Side& side, const IndexedMesh& mesh, const std::vector<Edge>* edges, const View& view,
                   const render::Camera& camera, float pixel);
 

@@ -40,7 +40,7 @@ void App::follow_script() {
 bool App::do_command(const Command& command) {
   if (perform(command, session_, view_, panes(view_, ui_.area, session_.outcome()).front().picture.aspect()))
     return true;
-  if (command.name == "wait") return session_.settled();
+  if (command.name == "wait") return at_rest();
   if (command.name == "slide") {
     const double from = command.number(2), to = command.number(3);
     const int steps = static_cast<int>(command.count(4));

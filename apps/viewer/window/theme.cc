@@ -33,7 +33,7 @@ void set_colours(ImGuiStyle& style) {
   set(ImGuiCol_WindowBg, 0.145f, 0.155f, 0.170f);
   set(ImGuiCol_PopupBg, 0.175f, 0.187f, 0.205f, 0.98f);
   set(ImGuiCol_ChildBg, 0.175f, 0.187f, 0.205f);
-  set(ImGuiCol_Border, 0.26f, 0.28f, 0.30f, 0.6f);
+  set(ImGuiCol_Border, 0.30f, 0.32f, 0.35f, 0.8f);
   set(ImGuiCol_FrameBg, 0.225f, 0.240f, 0.262f);
   set(ImGuiCol_FrameBgHovered, 0.27f, 0.29f, 0.32f);
   set(ImGuiCol_FrameBgActive, 0.30f, 0.33f, 0.37f);
@@ -88,6 +88,7 @@ void set_theme(float scale) {
   style.ScrollbarSize = 11;
   style.WindowBorderSize = 0;
   style.ChildBorderSize = 0;
+  style.FrameBorderSize = 1;
   style.WindowPadding = {12, 10};
   style.FramePadding = {8, 4};
   style.ItemSpacing = {8, 6};
