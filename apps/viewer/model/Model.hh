@@ -2,6 +2,7 @@
 /// What the session knows: the mesh that was opened, what a recipe made of it, and how far the two lie apart.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -37,6 +38,7 @@ struct Model {
   Inspection inspection;
 
   const IndexedMesh& mesh() const { return file.mesh; }
+  Eigen::AlignedBox3d box() const { return {inspection.facts.box_min, inspection.facts.box_max}; }
 };
 
 /// \throw FileError  as read_mesh(), and for a mesh without faces.

@@ -121,7 +121,7 @@ Actions view_actions() {
       {"split", [](const Context& c) { c.view.split = c.command.number(0); }},
       {"frame",
        [](const Context& c) {
-         if (c.session.model()) c.view.orbit.frame(render::bounding_box(c.session.model()->mesh()), c.aspect);
+         if (c.session.model()) c.view.orbit.frame(c.session.model()->box(), c.aspect);
        }},
       {"turn", [](const Context& c) { c.view.orbit.turn(c.command.number(0), c.command.number(1)); }},
       {"pan", [](const Context& c) { c.view.orbit.pan(c.command.number(0), c.command.number(1), c.aspect); }},

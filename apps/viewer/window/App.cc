@@ -163,7 +163,7 @@ void App::keep_framed() {
   const double aspect = panes(view_, ui_.area, session_.outcome() != nullptr).front().picture.aspect();
   const bool reshaped = view_.orbit == framed_ && aspect != framed_aspect_;
   if (!ui_.frame_wanted && !reshaped) return;
-  view_.orbit.frame(render::bounding_box(session_.model()->mesh()), aspect);
+  view_.orbit.frame(session_.model()->box(), aspect);
   framed_ = view_.orbit;
   framed_aspect_ = aspect;
   ui_.frame_wanted = false;

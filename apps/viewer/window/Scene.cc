@@ -98,7 +98,7 @@ bool Scene::time_frames(const Session& session) {
   const auto wanting = [](const Side& s) { return s.mesh && s.frame_ms.size() < kFrameSamples; };
   if (!session.model() || (!wanting(original_) && !wanting(result_))) return false;
   const render::Framebuffer framebuffer(kFrameSize, kFrameSize);
-  const Eigen::AlignedBox3d box = render::bounding_box(session.model()->mesh());
+  const Eigen::AlignedBox3d box = session.model()->box();
   const render::Camera camera = render::frame(box, box, 1);
   for (Side* drawn : {&original_, &result_}) {
     if (!wanting(*drawn)) continue;
@@ -135,15 +135,14 @@ void Scene::draw_pane(const Session& session, const View& view, const Pane& pane
   if (pane.seen.width < 1 || pane.seen.height < 1) return;
   confine(pane, framebuffer_height);
   Side& drawn = side(pane.which);
-  const Eigen::AlignedBox3d box = render::bounding_box(session.model()->mesh());
-  const render::Camera camera = view.orbit.camera(box, pane.picture.aspect());
-  const std::size_t faces = drawn.mesh->triangles();
-  const double edge =
-      session.model()->scale.mean_edge *
-      std::sqrt(double(session.model()->mesh().triangles.size()) / double(std::max<std::size_t>(faces, 1)));
-  const double edge_pixels =
-      edge / view.orbit.distance() * camera.projection(1, 1) * pane.picture.height / 2 / double(pixel);
-  draw_surface(drawn, view, camera, static_cast<float>(heat_top(session, view)), edge_pixels);
+  const render::Camera camera = view.orbit.camera(session.model()->box(), pane.picture.aspect());
+  const auto removed = static_cast<double>(session.model()->mesh().triangles.size()) /
+                       static_cast<double>(std::max<std::size_t>(drawn.mesh->triangles(), 1));
+  const double edge_pixels = session.model()->scale.mean_edge / view.orbit.distance() *
+                             camera.projection(1, 1) * pane.picture.height / 2 / double(pixel);
+  // The fewer triangles, the longer their edges.
+  draw_surface(drawn, view, camera, static_cast<float>(heat_top(session, view)),
+               edge_pixels * std::sqrt(removed));
 
   const bool is_original = pane.which == Which::original;
   const Comparison* comparison = session.comparison();
@@ -153,8 +152,10 @@ void Scene::draw_pane(const Session& session, const View& view, const Pane& pane
                           : nullptr,
              view, camera, pixel);
   if (view.plan && is_original && plan_lines_) {
-    lines_.draw_lines(*plan_lines_, camera, kPlanColour, 1.3f * pixel);
-    lines_.draw_dots(*plan_targets_, camera, kTargetColour, 3.2f * pixel);
+    lines_.draw_lines(*plan_lines_, camera, kPlanColour,
+                      pixel * static_cast<float>(std::clamp(0.16 * edge_pixels, 1.0, 3.0)));
+    lines_.draw_dots(*plan_targets_, camera, kTargetColour,
+                     pixel * static_cast<float>(std::clamp(0.4 * edge_pixels, 2.0, 8.0)));
   }
 }
 
