@@ -99,7 +99,7 @@ TEST_CASE("the split line stands where it was put, the original left of it, the 
               split = studio.picture("split");
   CHECK(colours(before) > 50);
   CHECK(colours(after) > 50);
-  CHECK(difference(before, after, 0, kWidth) > 0.02);
+  CHECK(difference(before, after, 0, kWidth) > 0.005);
   const int line = static_cast<int>(std::lround(0.3 * kWidth));
   CHECK(std::max(brightness(split, line), brightness(split, line - 1)) > 200);
   CHECK(brightness(split, line - 20) < 180);

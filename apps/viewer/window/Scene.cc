@@ -22,6 +22,7 @@ std::unique_ptr<render::PointBuffer> line_buffer(const std::vector<std::array<st
 }
 
 constexpr std::size_t kFrameSamples = 5;
+constexpr double kLeastWire = 2.2;  // pixels: shorter edges are not drawn over a surface
 constexpr int kFrameSize = 512;
 
 /// Confines viewport and clearing; rectangles count from above, OpenGL from below.
@@ -189,7 +190,7 @@ void Scene::draw_surface(Side& drawn, const View& view, const render::Camera& ca
   if (view.shading == Shading::wires)
     surfaces_.draw_wires(mesh, camera, {0.80f, 0.83f, 0.87f, 1.2f * strength},
                          {0.90f, 0.32f, 0.26f, 1.2f * strength});
-  if (view.shading == Shading::wires_over)
+  if (view.shading == Shading::wires_over && edge_pixels > kLeastWire)
     surfaces_.draw_wires(mesh, camera, {0.10f, 0.11f, 0.13f, 0.7f * strength},
                          {0.20f, 0.02f, 0.02f, 0.7f * strength});
 }
