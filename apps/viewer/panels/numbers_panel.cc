@@ -1,6 +1,8 @@
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "model/number.hh"
@@ -135,6 +137,25 @@ void distances(const Ui& ui) {
   ImGui::EndTable();
 }
 
+/// The upper end of the heat colours.
+void heat_scale(Ui& ui) {
+  if (!ui.view.heat || !ui.session.comparison()) return;
+  bool fixed = ui.view.heat_top.has_value();
+  if (ImGui::Checkbox("Colours up to", &fixed))
+    ui.view.heat_top = fixed ? std::optional(rounded(ui.heat_top, 3)) : std::nullopt;
+  tip("Fixed: results compare with one another. Else the scale ends where 99.5 % of the vertices lie below.");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  ImGui::BeginDisabled(!fixed);
+  const double diagonal = ui.session.model()->scale.diagonal;
+  double top = ui.heat_top;
+  const double least = 1e-6 * diagonal, most = 0.1 * diagonal;
+  if (ImGui::SliderScalar("##top", ImGuiDataType_Double, &top, &least, &most, "%.3g model units",
+                          ImGuiSliderFlags_Logarithmic))
+    ui.view.heat_top = rounded(top, 3);
+  ImGui::EndDisabled();
+}
+
 }  // namespace
 
 void draw_numbers_panel(Ui& ui, const Rect& place) {
@@ -147,6 +168,7 @@ void draw_numbers_panel(Ui& ui, const Rect& place) {
     ImGui::Spacing();
     reduction(ui);
     distances(ui);
+    heat_scale(ui);
     draw_histograms(ui);
   }
   ImGui::End();
