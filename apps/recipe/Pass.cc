@@ -8,9 +8,6 @@
 #include "whittle/execute.hh"
 
 namespace whittle::recipe {
-namespace {
-
-/// The shortest beginning of the plan that reaches the floor, or all of it.
 std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh, const Floor& floor) {
   std::size_t faces = mesh.triangles.size(), vertices = mesh.points.size(), n = 0;
   for (const Collapse& collapse : plan.collapses) {
@@ -22,13 +19,14 @@ std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh
   return n;
 }
 
-}  // namespace
-
-Plan make_plan(const IndexedMesh& mesh, const Planner& planner, const Floor& floor, std::size_t max_passes) {
+Plan make_plan(const IndexedMesh& mesh, const Planner& planner, const Floor& floor, std::size_t max_passes,
+               const GoOn& go_on) {
+  if (go_on && !go_on(mesh.triangles.size())) throw Cancelled();
   Plan plan;
   Stopwatch watch;
   const SurfaceT<double> surface(mesh, {}, std::thread::hardware_concurrency());
   const auto enough = [&](const auto& stages) {
+    if (go_on && !go_on(stages.n_faces())) throw Cancelled();
     return floor.reached(stages.n_faces(), stages.n_vertices());
   };
   auto repeated =

@@ -36,8 +36,12 @@ struct Plan {
   double seconds = 0;
 };
 
+/// Asked now and then with the number of faces left; false ends the work with Cancelled. Empty: never ends.
+using GoOn = std::function<bool(std::size_t faces)>;
+
 /// Plans up to `max_passes` passes, fewer where the floor is reached or a pass changes nothing.
-Plan make_plan(const IndexedMesh& mesh, const Planner& planner, const Floor& floor, std::size_t max_passes);
+Plan make_plan(const IndexedMesh& mesh, const Planner& planner, const Floor& floor, std::size_t max_passes,
+               const GoOn& go_on = {});
 
 /// What became of a mesh.
 struct Pass {
@@ -51,13 +55,16 @@ struct Pass {
   double plan_seconds = 0, execute_seconds = 0;
 };
 
+/// The shortest beginning of the plan that reaches the floor, or all of it.
+std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh, const Floor& floor);
+
 /// Executes a plan on the flat arrays.
 Pass bulk_pass(const IndexedMesh& mesh, const CollapsePlan& plan, const Floor& floor);
 
 /// Executes a plan through an OpenMesh decimater, under the stage's constraints; without a plan, the stage's
 /// stock module.
 Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const CollapsePlan* plan,
-                   const Scale& scale, const Floor& floor);
+                   const Scale& scale, const Floor& floor, const GoOn& go_on = {});
 
 /// The Delaunay retriangulation of a mesh by edge flips. Faces that OpenMesh cannot take are counted in
 /// `refused_faces`.

@@ -46,23 +46,6 @@ Driver choose_driver(Driver wanted, const Stage& stage) {
   return wanted;
 }
 
-Scale measure_scale(const IndexedMesh& mesh) {
-  Scale scale;
-  double sum = 0;
-  for (const auto& t : mesh.triangles)  // interior edges count twice, which leaves their mean as it is
-    for (int i = 0; i < 3; ++i) sum += (mesh.points[t[(i + 1) % 3]] - mesh.points[t[i]]).norm();
-  if (!mesh.triangles.empty()) scale.mean_edge = sum / (3.0 * static_cast<double>(mesh.triangles.size()));
-  if (!mesh.points.empty()) {
-    Eigen::Vector3d low = mesh.points[0], high = low;
-    for (const auto& p : mesh.points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    scale.diagonal = (high - low).norm();
-  }
-  return scale;
-}
-
 Floor make_floor(const Target& target, const IndexedMesh& mesh) {
   Floor floor;
   if (target.ratio)
@@ -98,29 +81,47 @@ std::size_t count_flips(const IndexedMesh& before, const IndexedMesh& after,
   return flips;
 }
 
-/// Runs one stage on `sum.mesh` and adds what came of it.
-void run_stage(Stage stage, const Recipe& recipe, const Scale& scale, const Floor& floor, Passes& sum,
-               Result& result) {
-  StageResult report;
-  report.driver = choose_driver(recipe.driver, stage);
-  report.faces_before = sum.sum.mesh.triangles.size();
-  std::optional<Planner> planner;
+/// What a stage asks whether to go on.
+GoOn watched(const Monitor& monitor, std::size_t stage, std::size_t stages) {
+  if (!monitor) return {};
+  return [=](std::size_t faces) { return monitor({stage, stages, faces}); };
+}
+
+/// How a stage is to be run.
+struct Ready {
+  Driver driver;
+  std::optional<Planner> planner;  ///< none for stock modules
   std::size_t max_passes = 1;
-  if (find_module(stage.module.name).role == Role::planned) {
-    planner = make_planner(stage.module, scale);
-    set_target(*planner, floor.faces, floor.vertices);
-    max_passes = static_cast<std::size_t>(
-        stage.module.number("passes").value_or(floor.any() ? double(kPassesToTarget) : 1.0));
-    const std::string key = threshold_key(stage.module);
-    if (floor.any() && !key.empty() && !has_threshold(stage.module)) {
-      const double threshold =
-          find_threshold(sum.sum.mesh, report.driver, stage, *planner, scale, floor, max_passes);
-      planner = with_threshold(*planner, threshold);
-      stage.module.parameters.emplace_back(key, shortest(threshold));
-    }
+};
+
+/// Settles driver, planner and threshold of a stage; a threshold that was found is added to its module.
+Ready prepare(Stage& stage, const IndexedMesh& mesh, const Recipe& recipe, const Scale& scale,
+              const Floor& floor, const GoOn& go_on) {
+  Ready ready{choose_driver(recipe.driver, stage), std::nullopt, 1};
+  if (find_module(stage.module.name).role != Role::planned) return ready;
+  ready.planner = make_planner(stage.module, scale);
+  set_target(*ready.planner, floor.faces, floor.vertices);
+  ready.max_passes = static_cast<std::size_t>(
+      stage.module.number("passes").value_or(floor.any() ? double(kPassesToTarget) : 1.0));
+  const std::string key = threshold_key(stage.module);
+  if (floor.any() && !key.empty() && !has_threshold(stage.module)) {
+    const double threshold =
+        find_threshold(mesh, ready.driver, stage, *ready.planner, scale, floor, ready.max_passes, go_on);
+    ready.planner = with_threshold(*ready.planner, threshold);
+    stage.module.parameters.emplace_back(key, shortest(threshold));
   }
-  Passes passes =
-      run_passes(sum.sum.mesh, report.driver, stage, planner ? &*planner : nullptr, scale, floor, max_passes);
+  return ready;
+}
+
+/// Runs one stage on `sum.mesh` and adds what came of it.
+void run_stage(Stage stage, const Recipe& recipe, const Scale& scale, const Floor& floor, const GoOn& go_on,
+               Passes& sum, Result& result) {
+  StageResult report;
+  report.faces_before = sum.sum.mesh.triangles.size();
+  const Ready ready = prepare(stage, sum.sum.mesh, recipe, scale, floor, go_on);
+  report.driver = ready.driver;
+  Passes passes = run_passes(sum.sum.mesh, ready.driver, stage, ready.planner ? &*ready.planner : nullptr,
+                             scale, floor, ready.max_passes, go_on);
   report.module = stage_text(stage);
   report.passes = passes.count;
   report.faces_after = passes.sum.mesh.triangles.size();
@@ -150,6 +151,23 @@ std::string to_string(Driver driver) {
   return "?";
 }
 
+Scale measure_scale(const IndexedMesh& mesh) {
+  Scale scale;
+  double sum = 0;
+  for (const auto& t : mesh.triangles)  // interior edges count twice, which leaves their mean as it is
+    for (int i = 0; i < 3; ++i) sum += (mesh.points[t[(i + 1) % 3]] - mesh.points[t[i]]).norm();
+  if (!mesh.triangles.empty()) scale.mean_edge = sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+  if (!mesh.points.empty()) {
+    Eigen::Vector3d low = mesh.points[0], high = low;
+    for (const auto& p : mesh.points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    scale.diagonal = (high - low).norm();
+  }
+  return scale;
+}
+
 void check(const Recipe& recipe) {
   for (const Stage& stage : group(recipe.modules)) {
     choose_driver(recipe.driver, stage);
@@ -165,13 +183,15 @@ void check(const Recipe& recipe) {
     throw RecipeError("the angle of the Delaunay retriangulation must lie between 0 and 180 degrees");
 }
 
-Result run(const IndexedMesh& mesh, const Recipe& recipe) {
+Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor) {
   check(recipe);
   const Scale scale = measure_scale(mesh);
   const Floor floor = make_floor(recipe.target, mesh);
   Result result;
   Passes sum = no_passes(mesh);
-  for (const Stage& stage : group(recipe.modules)) run_stage(stage, recipe, scale, floor, sum, result);
+  const std::vector<Stage> stages = group(recipe.modules);
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    run_stage(stages[i], recipe, scale, floor, watched(monitor, i, stages.size()), sum, result);
   result.flipped_faces = count_flips(mesh, sum.sum.mesh, sum.sum.face_origin);
   result.refused_faces = sum.sum.refused_faces;
   result.mesh = std::move(sum.sum.mesh);
@@ -180,6 +200,20 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe) {
   result.vertex_map = std::move(sum.sum.vertex_map);
   result.target_reached = !floor.any() || floor.reached(result.mesh);
   return result;
+}
+
+CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor) {
+  check(recipe);
+  const Scale scale = measure_scale(mesh);
+  const Floor floor = make_floor(recipe.target, mesh);
+  std::vector<Stage> stages = group(recipe.modules);
+  const GoOn go_on = watched(monitor, 0, stages.size());
+  const Ready ready = prepare(stages.front(), mesh, recipe, scale, floor, go_on);
+  if (!ready.planner || floor.reached(mesh)) return {{}, {0}, {}};
+  const bool at_once = stages.front().constraints.empty();
+  CollapsePlan plan = make_plan(mesh, *ready.planner, floor, at_once ? ready.max_passes : 1, go_on).collapses;
+  plan.collapses.resize(collapses_to_floor(plan, mesh, floor));
+  return plan;
 }
 
 }  // namespace whittle::recipe

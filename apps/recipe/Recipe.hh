@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,6 +68,24 @@ struct Result {
   bool target_reached = true;     ///< false: no more legal collapses within the thresholds
 };
 
+/// The sizes that the relative lengths of a recipe refer to.
+Scale measure_scale(const IndexedMesh& mesh);
+
+/// Where a run is.
+struct Progress {
+  std::size_t stage = 0, stages = 1;  ///< which one runs, counted from 0
+  std::size_t faces = 0;              ///< left so far
+};
+
+/// Follows a run and may end it: called now and then on the thread that runs; false ends it with Cancelled.
+using Monitor = std::function<bool(const Progress&)>;
+
+/// A monitor ended the run.
+class Cancelled : public std::exception {
+ public:
+  const char* what() const noexcept override { return "cancelled"; }
+};
+
 /// Finds what `run` would object to, without a mesh.
 /// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a module, neither
 /// threshold
@@ -74,7 +94,12 @@ void check(const Recipe& recipe);
 
 /// Runs a recipe. The input is not changed. A target without a threshold makes the stage search for the
 /// threshold. \throw RecipeError  as check(). \throw InvalidMesh  an index out of range, a coordinate that is
-/// not finite.
-Result run(const IndexedMesh& mesh, const Recipe& recipe);
+/// not finite. \throw Cancelled  the monitor said so.
+Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor = {});
+
+/// What the first stage would do, before anything is executed: the collapses that `run` would carry out, or
+/// offer to a driver with constraints, on the input. Empty for a stock module, which has no plan.
+/// \throw  as run().
+CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor = {});
 
 }  // namespace whittle::recipe

@@ -10,6 +10,8 @@
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <OpenMesh/Tools/Decimater/ModRoundnessT.hh>
+#include <OpenMesh/Tools/Decimater/Observer.hh>
+#include <algorithm>
 #include <cstdlib>
 #include <numeric>
 #include <type_traits>
@@ -161,8 +163,23 @@ void unload(const Loaded& loaded, const std::vector<std::pair<int, int>>& collap
   }
 }
 
+/// Lets a caller end a decimation.
+class Halt : public om::Observer {
+ public:
+  Halt(std::size_t faces, const GoOn& go_on) : Observer(1000), faces_(faces), go_on_(go_on) {}
+  void notify(std::size_t collapses) override {
+    if (go_on_ && !go_on_(faces_ - std::min(faces_, 2 * collapses))) called_ = true;
+  }
+  bool abort() const override { return called_; }
+
+ private:
+  std::size_t faces_;
+  const GoOn& go_on_;
+  bool called_ = false;
+};
+
 template <typename Decimater>
-void decimate(Decimater& decimater, const Mesh&, const Floor& floor) {
+void decimate(Decimater& decimater, const Mesh&, const Floor& floor, const Halt&) {
   if (floor.any())
     decimater.decimate_to_faces(floor.vertices, floor.faces);
   else
@@ -171,17 +188,17 @@ void decimate(Decimater& decimater, const Mesh&, const Floor& floor) {
 
 /// McDecimaterT draws half-edges with rand() and gives up after some 200 misses in a row, long before a plan
 /// is done; so it is started again until a whole run finds nothing.
-void decimate(om::McDecimaterT<Mesh>& decimater, const Mesh& mesh, const Floor& floor) {
+void decimate(om::McDecimaterT<Mesh>& decimater, const Mesh& mesh, const Floor& floor, const Halt& halt) {
   std::srand(1);
   if (floor.any())
     decimater.decimate_to_faces(floor.vertices, floor.faces);
   else
-    while (decimater.decimate(mesh.n_vertices()) > 0) continue;
+    while (!halt.abort() && decimater.decimate(mesh.n_vertices()) > 0) continue;
 }
 
 template <typename Decimater>
 Pass drive(const IndexedMesh& in, const Stage& stage, const CollapsePlan* plan, const Scale& scale,
-           const Floor& floor) {
+           const Floor& floor, const GoOn& go_on) {
   const Silence silence;
   Pass pass;
   Loaded loaded;
@@ -196,9 +213,12 @@ Pass drive(const IndexedMesh& in, const Stage& stage, const CollapsePlan* plan, 
   for (const Spec& constraint : stage.constraints) add_stock(decimater, constraint, scale);
   const auto& record = add<ModRecordT<Mesh>>(decimater);
 
+  Halt halt(in.triangles.size(), go_on);
+  decimater.set_observer(&halt);
   Stopwatch watch;
   decimater.initialize();
-  decimate(decimater, loaded.mesh, floor);
+  decimate(decimater, loaded.mesh, floor, halt);
+  if (halt.abort()) throw Cancelled();
   pass.execute_seconds = watch.lap();
 
   unload(loaded, record.collapses, pass);
@@ -210,11 +230,11 @@ Pass drive(const IndexedMesh& in, const Stage& stage, const CollapsePlan* plan, 
 }  // namespace
 
 Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const CollapsePlan* plan,
-                   const Scale& scale, const Floor& floor) {
-  if (driver == Driver::sweep) return drive<SweepDecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
-  if (driver == Driver::lazy) return drive<LazyDecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
-  if (driver == Driver::mc) return drive<om::McDecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
-  return drive<om::DecimaterT<Mesh>>(mesh, stage, plan, scale, floor);
+                   const Scale& scale, const Floor& floor, const GoOn& go_on) {
+  if (driver == Driver::sweep) return drive<SweepDecimaterT<Mesh>>(mesh, stage, plan, scale, floor, go_on);
+  if (driver == Driver::lazy) return drive<LazyDecimaterT<Mesh>>(mesh, stage, plan, scale, floor, go_on);
+  if (driver == Driver::mc) return drive<om::McDecimaterT<Mesh>>(mesh, stage, plan, scale, floor, go_on);
+  return drive<om::DecimaterT<Mesh>>(mesh, stage, plan, scale, floor, go_on);
 }
 
 IndexedMesh retriangulate(const IndexedMesh& mesh, double max_dihedral, DelaunayFlipsReport& report,

@@ -30,16 +30,17 @@ Passes no_passes(const IndexedMesh& mesh) {
 }
 
 Passes run_passes(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner* planner,
-                  const Scale& scale, const Floor& floor, std::size_t max_passes) {
+                  const Scale& scale, const Floor& floor, std::size_t max_passes, const GoOn& go_on) {
   Passes out = no_passes(mesh);
   const bool at_once = stage.constraints.empty();
   while (out.count < max_passes && !floor.reached(out.sum.mesh)) {
     const IndexedMesh& now = out.sum.mesh;
     Plan plan;
-    if (planner) plan = make_plan(now, *planner, floor, at_once ? max_passes : 1);
-    Pass pass = driver == Driver::bulk
-                    ? bulk_pass(now, plan.collapses, floor)
-                    : openmesh_pass(now, driver, stage, planner ? &plan.collapses : nullptr, scale, floor);
+    if (planner) plan = make_plan(now, *planner, floor, at_once ? max_passes : 1, go_on);
+    Pass pass =
+        driver == Driver::bulk
+            ? bulk_pass(now, plan.collapses, floor)
+            : openmesh_pass(now, driver, stage, planner ? &plan.collapses : nullptr, scale, floor, go_on);
     pass.plan_seconds = plan.seconds;
     pass.record = plan.collapses.record;
     const std::size_t collapses = pass.collapses;
@@ -51,12 +52,13 @@ Passes run_passes(const IndexedMesh& mesh, Driver driver, const Stage& stage, co
 }
 
 double find_threshold(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
-                      const Scale& scale, const Floor& floor, std::size_t max_passes) {
+                      const Scale& scale, const Floor& floor, std::size_t max_passes, const GoOn& go_on) {
   // All drivers execute the same plan, so the fastest one may search, unless constraints change what it does.
   const Driver searcher = stage.constraints.empty() ? Driver::bulk : driver;
   const auto reaches = [&](double threshold) {
     const Planner attempt = with_threshold(planner, threshold);
-    return floor.reached(run_passes(mesh, searcher, stage, &attempt, scale, floor, max_passes).sum.mesh);
+    return floor.reached(
+        run_passes(mesh, searcher, stage, &attempt, scale, floor, max_passes, go_on).sum.mesh);
   };
   const auto [first, last] = threshold_range(planner, scale);
   double high = first;

@@ -1,0 +1,44 @@
+#include "model/Model.hh"
+
+#include <utility>
+
+namespace whittle::viewer {
+
+Inspection inspect(const IndexedMesh& mesh) {
+  Inspection out;
+  out.facts = measure::facts(mesh);
+  out.edges = edge_table(mesh);
+  for (const Quantity quantity : kQuantities)
+    out.values[static_cast<std::size_t>(quantity)] = values_of(quantity, mesh, out.edges);
+  return out;
+}
+
+std::shared_ptr<const Model> load_model(const std::string& path) {
+  auto model = std::make_shared<Model>();
+  model->path = path;
+  model->file = files::read_mesh(path);
+  if (model->mesh().triangles.empty()) throw files::FileError(path + ": the mesh has no faces to show");
+  model->scale = recipe::measure_scale(model->mesh());
+  model->inspection = inspect(model->mesh());
+  return model;
+}
+
+double Outcome::faces_removed() const {
+  const auto before = static_cast<double>(model->mesh().triangles.size());
+  return before > 0 ? 1 - static_cast<double>(mesh().triangles.size()) / before : 0;
+}
+
+std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
+                                            const recipe::Monitor& monitor) {
+  auto outcome = std::make_shared<Outcome>();
+  outcome->result = recipe::run(model->mesh(), recipe, monitor);
+  if (model->file.single_precision)
+    for (auto& point : outcome->result.mesh.points) point = point.cast<float>().cast<double>();
+  for (const recipe::StageResult& stage : outcome->result.stages)
+    outcome->milliseconds += 1e3 * (stage.plan_seconds + stage.execute_seconds);
+  outcome->recipe = recipe;
+  outcome->model = std::move(model);
+  return outcome;
+}
+
+}  // namespace whittle::viewer

@@ -1,0 +1,75 @@
+/// \file
+/// What the session knows: the mesh that was opened, what a recipe made of it, and how far the two lie apart.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/MeshFile.hh"
+#include "measure/Distance.hh"
+#include "measure/MeshFacts.hh"
+#include "model/EdgeTable.hh"
+#include "model/Histogram.hh"
+#include "model/PlanPicture.hh"
+#include "recipe/Recipe.hh"
+
+namespace whittle::viewer {
+
+/// What can be said of one mesh by itself.
+struct Inspection {
+  measure::MeshFacts facts;
+  std::vector<Edge> edges;
+  std::array<std::vector<float>, 3> values;  ///< by Quantity
+
+  const std::vector<float>& of(Quantity quantity) const { return values[static_cast<std::size_t>(quantity)]; }
+};
+Inspection inspect(const IndexedMesh& mesh);
+
+/// A mesh file that is open.
+struct Model {
+  std::string path;
+  files::MeshFile file;
+  recipe::Scale scale;
+  Inspection inspection;
+
+  const IndexedMesh& mesh() const { return file.mesh; }
+  Eigen::AlignedBox3d box() const { return {inspection.facts.box_min, inspection.facts.box_max}; }
+};
+
+/// \throw FileError  as read_mesh(), and for a mesh without faces.
+std::shared_ptr<const Model> load_model(const std::string& path);
+
+/// What a recipe made of a model.
+struct Outcome {
+  std::shared_ptr<const Model> model;
+  recipe::Recipe recipe;
+  recipe::Result result;
+  double milliseconds = 0;  ///< planning and execution, as the command line counts them
+
+  const IndexedMesh& mesh() const { return result.mesh; }
+  double faces_removed() const;  ///< of all, 0..1
+};
+
+/// Runs a recipe. The result is rounded as the exported file will be, so that what is measured is what is
+/// written. \throw  as recipe::run().
+std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
+                                            const recipe::Monitor& monitor = {});
+
+/// How an outcome compares with its model.
+struct Comparison {
+  std::shared_ptr<const Outcome> outcome;
+  Inspection inspection;                      ///< of the result
+  std::optional<measure::Distance> distance;  ///< none where one of the meshes has no area
+  /// For each vertex of the original its distance to the result. For each vertex of the result the largest of
+  /// its own distance to the original and those of the vertices that became it, so that a surface whose
+  /// vertices all lie on the original still shows what it lost.
+  std::vector<float> original_heat, result_heat;
+  double heat_top = 0;  ///< a good upper end for a scale of colours: nearly all vertices lie below
+};
+
+}  // namespace whittle::viewer

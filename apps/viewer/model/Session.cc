@@ -1,0 +1,204 @@
+#include "model/Session.hh"
+
+#include <chrono>
+#include <exception>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include "model/RecipeEdit.hh"
+#include "model/RecipeText.hh"
+
+namespace whittle::viewer {
+namespace {
+
+/// How long an outcome must last before it is measured: while a slider moves, none does.
+constexpr std::chrono::milliseconds kRest(120);
+
+std::string reason(const std::exception& error) {
+  return dynamic_cast<const std::bad_alloc*>(&error) ? "not enough memory" : error.what();
+}
+
+bool rests(const Wanted& wanted) {
+  for (auto waited = kRest; waited.count() > 0; waited -= kRest / 12) {
+    std::this_thread::sleep_for(kRest / 12);
+    if (!wanted()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Session::Session(std::function<void()> wake) : wake_(std::move(wake)), history_(first_recipe()) {}
+
+void Session::open(const std::string& path) {
+  loader_.submit([this, path](const Wanted& wanted) {
+    Loaded loaded;
+    try {
+      loaded.model = load_model(path);
+    } catch (const std::exception& error) {
+      loaded.error = reason(error);
+    }
+    if (!wanted()) return;
+    loaded_.put(std::move(loaded));
+    wake();
+  });
+}
+
+void Session::change(recipe::Recipe recipe, const std::string& tag) {
+  history_.change(std::move(recipe), tag);
+  recipe_has_changed();
+}
+
+void Session::undo() {
+  history_.undo();
+  recipe_has_changed();
+}
+
+void Session::redo() {
+  history_.redo();
+  recipe_has_changed();
+}
+
+void Session::set_live(bool live) {
+  live_ = live;
+  if (live_ && !outcome_is_current()) run();
+}
+
+void Session::recipe_has_changed() {
+  problem_.clear();
+  try {
+    recipe::check(recipe());
+  } catch (const std::exception& error) {
+    problem_ = error.what();
+  }
+  if (live_) run();
+  start_plan();
+}
+
+void Session::run() {
+  decimator_.cancel();
+  decided_.take();
+  if (!model_ || !problem_.empty()) return;
+  {
+    const std::lock_guard lock(progress_mutex_);
+    progress_ = {0, recipe().modules.size(), model_->mesh().triangles.size()};
+  }
+  decimator_.submit([this, model = model_, recipe = recipe()](const Wanted& wanted) {
+    Decided decided;
+    try {
+      decided.outcome = make_outcome(model, recipe, [&](const recipe::Progress& now) {
+        const std::lock_guard lock(progress_mutex_);
+        if (wanted()) progress_ = now;
+        return wanted();
+      });
+    } catch (const recipe::Cancelled&) {
+      return;
+    } catch (const std::exception& error) {
+      decided.error = reason(error);
+    }
+    if (!wanted()) return;
+    decided_.put(std::move(decided));
+    wake();
+  });
+}
+
+void Session::set_plan_wanted(bool wanted) {
+  if (std::exchange(plan_wanted_, wanted) == wanted) return;
+  if (wanted)
+    start_plan();
+  else
+    plan_.reset();
+}
+
+void Session::start_plan() {
+  planner_.cancel();
+  planned_.take();
+  if (!plan_wanted_ || !model_ || !problem_.empty()) {
+    plan_.reset();
+    return;
+  }
+  planner_.submit([this, model = model_, recipe = recipe()](const Wanted& wanted) {
+    auto plan = std::make_shared<PlanPicture>();
+    try {
+      const auto collapses =
+          recipe::plan(model->mesh(), recipe, [&](const recipe::Progress&) { return wanted(); });
+      *plan = picture(model->mesh(), collapses);
+    } catch (const std::exception&) {  // cancelled; anything else the run itself reports
+      return;
+    }
+    if (!wanted()) return;
+    planned_.put(std::move(plan));
+    wake();
+  });
+}
+
+void Session::take_model(Loaded loaded) {
+  if (!loaded.model) {
+    errors.push_back(loaded.error);
+    return;
+  }
+  model_ = std::move(loaded.model);
+  outcome_.reset();
+  comparison_.reset();
+  plan_.reset();
+  measurer_.cancel();
+  measured_.take();
+  recipe_has_changed();
+}
+
+News Session::poll() {
+  News news;
+  if (auto loaded = loaded_.take()) {
+    news.model = loaded->model != nullptr;
+    take_model(std::move(*loaded));
+  }
+  if (auto decided = decided_.take()) {
+    if (decided->outcome && decided->outcome->model == model_) {
+      outcome_ = std::move(decided->outcome);
+      news.outcome = true;
+      measured_.take();
+      measurer_.submit([this, outcome = outcome_](const Wanted& wanted) {
+        if (!rests(wanted)) return;
+        auto comparison = comparer_.compare(outcome, [&] { return wanted(); });
+        if (!comparison || !wanted()) return;
+        measured_.put(std::move(comparison));
+        wake();
+      });
+    } else if (!decided->outcome) {
+      problem_ = decided->error;
+    }
+  }
+  if (auto measured = measured_.take()) {
+    comparison_ = std::move(*measured);
+    news.comparison = comparison() != nullptr;
+  }
+  if (auto planned = planned_.take()) {
+    plan_ = std::move(*planned);
+    news.plan = true;
+  }
+  return news;
+}
+
+const Comparison* Session::comparison() const {
+  return comparison_ && comparison_->outcome == outcome_ ? comparison_.get() : nullptr;
+}
+
+bool Session::outcome_is_current() const {
+  return outcome_ && options_text(outcome_->recipe) == options_text(recipe());
+}
+
+recipe::Progress Session::progress() const {
+  const std::lock_guard lock(progress_mutex_);
+  return progress_;
+}
+
+void Session::export_result(const std::string& path, bool ascii) const {
+  if (!outcome_) throw files::FileError(path + ": there is no result to write yet");
+  files::WriteOptions options;
+  options.ascii = ascii;
+  options.single_precision = model_->file.single_precision;
+  files::write_mesh(path, outcome_->mesh(), options);
+}
+
+}  // namespace whittle::viewer

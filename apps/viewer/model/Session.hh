@@ -1,0 +1,110 @@
+/// \file
+/// All that the viewer works on, without a window: the model, the recipe and its history, and the workers.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "model/Comparer.hh"
+#include "model/History.hh"
+#include "model/Model.hh"
+#include "model/Worker.hh"
+
+namespace whittle::viewer {
+
+/// What poll() found.
+struct News {
+  bool model = false, outcome = false, comparison = false, plan = false;
+  bool any() const { return model || outcome || comparison || plan; }
+};
+
+/// Every call returns at once; the work is done by threads, and poll() takes what they have finished.
+class Session {
+ public:
+  /// \param wake  called on a worker's thread when there is something to poll; it may be empty.
+  explicit Session(std::function<void()> wake = {});
+
+  /// Begins to load a file. What is open stays until the new model is there; an error goes to errors().
+  void open(const std::string& path);
+
+  /// Goes to another recipe. Changes in a row with the same tag are undone together.
+  void change(recipe::Recipe recipe, const std::string& tag = "");
+  void end_of_drag() { history_.seal(); }
+  void undo();
+  void redo();
+  const History<recipe::Recipe>& history() const { return history_; }
+  const recipe::Recipe& recipe() const { return history_.now(); }
+  const std::string& problem() const { return problem_; }  ///< why the recipe cannot be run; empty if it can
+
+  /// Whether a change runs at once. If not, run() does it.
+  void set_live(bool live);
+  bool live() const { return live_; }
+  void run();
+
+  /// Whether the plan of the recipe's first module is kept at hand.
+  void set_plan_wanted(bool wanted);
+
+  News poll();
+
+  const Model* model() const { return model_.get(); }
+  const Outcome* outcome() const { return outcome_.get(); }
+  const Comparison* comparison() const;  ///< of the outcome; null until it is measured
+  const PlanPicture* plan() const { return plan_.get(); }
+  bool outcome_is_current() const;  ///< it is that of the recipe as it stands
+
+  bool loading() const { return !loader_.idle() || !loaded_.empty(); }
+  bool decimating() const { return !decimator_.idle() || !decided_.empty(); }
+  bool measuring() const { return !measurer_.idle() || !measured_.empty(); }
+  bool planning() const { return !planner_.idle() || !planned_.empty(); }
+  bool settled() const { return !loading() && !decimating() && !measuring() && !planning(); }
+  recipe::Progress progress() const;  ///< of the decimation that runs
+
+  /// Writes the result. \throw FileError
+  void export_result(const std::string& path, bool ascii) const;
+
+  std::deque<std::string> errors;  ///< for the user to see, the oldest first
+
+ private:
+  struct Loaded {
+    std::shared_ptr<const Model> model;
+    std::string error;
+  };
+  struct Decided {
+    std::shared_ptr<const Outcome> outcome;
+    std::string error;
+  };
+
+  void recipe_has_changed();
+  void start_plan();
+  void take_model(Loaded loaded);
+  void wake() const {
+    if (wake_) wake_();
+  }
+
+  std::function<void()> wake_;
+  History<recipe::Recipe> history_;
+  std::string problem_;
+  bool live_ = true, plan_wanted_ = false;
+
+  std::shared_ptr<const Model> model_;
+  std::shared_ptr<const Outcome> outcome_;
+  std::shared_ptr<const Comparison> comparison_;
+  std::shared_ptr<const PlanPicture> plan_;
+
+  mutable std::mutex progress_mutex_;
+  recipe::Progress progress_;
+  Comparer comparer_;
+  Mailbox<Loaded> loaded_;
+  Mailbox<Decided> decided_;
+  Mailbox<std::shared_ptr<const PlanPicture>> planned_;
+  Mailbox<std::shared_ptr<const Comparison>> measured_;
+  // The threads end before what they use.
+  Worker loader_, decimator_, planner_, measurer_;
+};
+
+}  // namespace whittle::viewer

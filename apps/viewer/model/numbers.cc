@@ -1,0 +1,42 @@
+#include "model/numbers.hh"
+
+#include "model/RecipeText.hh"
+#include "whittle/report.hh"
+
+namespace whittle::viewer {
+
+nlohmann::ordered_json numbers(const Session& session) {
+  using Json = nlohmann::ordered_json;
+  Json root;
+  root["command"] = "view";
+  root["recipe"] = options_text(session.recipe());
+  root["problem"] = session.problem().empty() ? Json() : Json(session.problem());
+  for (const char* name : {"original", "simplified", "stages", "distance", "plan"}) root[name] = nullptr;
+  if (const Model* model = session.model())
+    root["original"] = {{"file", model->path},
+                        {"read", cli::to_json(model->file.report)},
+                        {"mesh", cli::to_json(model->inspection.facts)}};
+  if (const PlanPicture* plan = session.plan())
+    root["plan"] = {{"vertices_gone", plan->vertices_gone},
+                    {"faces_gone", plan->faces_gone},
+                    {"targets", plan->targets.size()}};
+  if (const Outcome* outcome = session.outcome()) {
+    root["simplified"] = {{"vertices", outcome->mesh().points.size()},
+                          {"faces", outcome->mesh().triangles.size()}};
+    root["stages"] = Json::array();
+    for (const recipe::StageResult& stage : outcome->result.stages)
+      root["stages"].push_back(cli::to_json(stage));
+    root["flipped_faces"] = outcome->result.flipped_faces;
+    root["target_reached"] = outcome->result.target_reached;
+    root["nonmanifold_faces_dropped"] = outcome->result.refused_faces;
+    root["decimation_ms"] = outcome->milliseconds;
+  }
+  if (const Comparison* comparison = session.comparison()) {
+    root["simplified"]["mesh"] = cli::to_json(comparison->inspection.facts);
+    if (comparison->distance) root["distance"] = cli::to_json(*comparison->distance);
+    root["heat_top_units"] = comparison->heat_top;
+  }
+  return root;
+}
+
+}  // namespace whittle::viewer

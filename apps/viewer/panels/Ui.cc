@@ -1,0 +1,25 @@
+#include "panels/Ui.hh"
+
+#include <imgui.h>
+
+#include <filesystem>
+#include <utility>
+
+namespace whittle::viewer {
+
+void Ui::open_dialog(Dialog which, std::string first_path) {
+  dialog = which;
+  path = std::move(first_path);
+}
+
+void Ui::say(const std::string& text) {
+  note = text;
+  note_until = ImGui::GetTime() + 4;
+}
+
+std::string Ui::stem() const {
+  if (!session.model()) return "model";
+  return std::filesystem::path(session.model()->path).stem().string();
+}
+
+}  // namespace whittle::viewer

@@ -1,0 +1,58 @@
+/// \file
+/// A window with an OpenGL context, by GLFW.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace whittle::viewer {
+
+/// There is no display, or OpenGL is too old; `what()` is one line.
+class WindowError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One window with a context of OpenGL 3.3 core, current on the thread that makes it. Only one may exist.
+class Window {
+ public:
+  /// \param samples  for each pixel. \param visible  false for pictures alone.
+  /// \throw WindowError
+  Window(int width, int height, const std::string& title, int samples, bool visible);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  GLFWwindow* handle() const { return window_; }
+
+  /// In pixels. 0 by 0 while it is minimised.
+  int width() const;
+  int height() const;
+  void resize(int width, int height);
+  double content_scale() const;  ///< 1 on ordinary screens, 2 where everything is twice as fine
+
+  bool wants_to_close() const;
+  void close();
+  void set_title(const std::string& title);
+  void set_clipboard(const std::string& text);
+  void swap();
+
+  /// Handles what has happened; waits for something to happen, so many seconds at most.
+  void wait(double seconds);
+  static void wake();  ///< ends a wait; from any thread
+
+  /// What came since the last call: files dropped on the window; keys by name, as `F`, `?`, `Ctrl+Shift+Z`.
+  /// \{
+  std::vector<std::string> take_dropped();
+  std::vector<std::string> take_keys();
+  /// \}
+
+ private:
+  GLFWwindow* window_ = nullptr;
+  std::vector<std::string> dropped_, keys_;
+};
+
+}  // namespace whittle::viewer

@@ -1,0 +1,53 @@
+/// \file
+/// Draws meshes for those who look closely: flat faces, colours by a figure, wires.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "render/Camera.hh"
+#include "render/GlObject.hh"
+#include "render/MeshBuffers.hh"
+#include "render/Renderer.hh"
+#include "render/ValueBuffer.hh"
+
+namespace whittle::render {
+
+/// How the surface is drawn. The lights are the Renderer's.
+struct SurfaceStyle {
+  bool flat = false;                    ///< one normal a face instead of one a vertex
+  bool lit = true;                      ///< false: in the plain colours, as what hides the wires behind
+  const ValueBuffer* values = nullptr;  ///< heat colours instead of the look's front, by the mesh's vertices
+  float value_at_top = 1;               ///< the value that gets the last colour; above 0
+};
+
+/// Unlike the Renderer, this clears nothing: it draws over what is there.
+class SurfacePainter {
+ public:
+  /// \pre as of Renderer. \throw RenderError  the driver does not take the shaders.
+  SurfacePainter();
+
+  void draw(const MeshBuffers& mesh, const Camera& camera, const SurfaceStyle& style,
+            const Look& look = {}) const;
+
+  /// The edges of all faces, one pixel wide; those of faces seen from behind in the colour `back`. Colours
+  /// are red, green, blue and opacity. Draw the faces with a PushBack before, or they hide half of the wires.
+  void draw_wires(const MeshBuffers& mesh, const Camera& camera, const Eigen::Vector4f& front,
+                  const Eigen::Vector4f& back) const;
+
+ private:
+  GlObject<ProgramKind> surface_, wires_;
+};
+
+/// While it lives, surfaces are drawn a little farther away than they are.
+class PushBack {
+ public:
+  PushBack() {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.0f, 1.0f);
+  }
+  ~PushBack() { glDisable(GL_POLYGON_OFFSET_FILL); }
+  PushBack(const PushBack&) = delete;
+  PushBack& operator=(const PushBack&) = delete;
+};
+
+}  // namespace whittle::render

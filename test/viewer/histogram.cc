@@ -1,0 +1,42 @@
+#include "model/Histogram.hh"
+
+#include "catch.hh"
+#include "meshes.hh"
+
+using namespace whittle;
+using namespace whittle::viewer;
+
+TEST_CASE("every value falls in one bin or beyond the ends") {
+  const Histogram h = histogram({-1, 0, 0.1f, 0.5f, 0.99f, 1, 2}, 0, 1, 4);
+  CHECK(h.bins == std::vector<std::size_t>{2, 0, 1, 2});
+  CHECK(h.below == 1);
+  CHECK(h.above == 1);
+  CHECK(h.bin_width() == 0.25);
+}
+
+TEST_CASE("quantiles") {
+  CHECK(quantile({}, 0.5) == 0);
+  CHECK(quantile({3, 1, 2}, 0) == 1);
+  CHECK(quantile({3, 1, 2}, 0.5) == 2);
+  CHECK(quantile({3, 1, 2}, 1) == 3);
+}
+
+TEST_CASE("the quality is 1 for equilateral and 0 for degenerate triangles") {
+  IndexedMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}, {2, 0, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 0, 0}};
+  const auto values = qualities(mesh);
+  CHECK(values[0] == Approx(1));
+  CHECK(values[1] == 0);
+  CHECK(values[2] == 0);
+}
+
+TEST_CASE("the values of a mesh: one length an edge, one angle an inner edge, one quality a face") {
+  const IndexedMesh mesh = meshes::tetrahedron();
+  const auto edges = edge_table(mesh);
+  CHECK(values_of(Quantity::edge_length, mesh, edges).size() == 6);
+  CHECK(values_of(Quantity::face_angle, mesh, edges).size() == 6);
+  CHECK(values_of(Quantity::quality, mesh, edges).size() == 4);
+  const IndexedMesh lone = meshes::lone_triangle();
+  CHECK(values_of(Quantity::face_angle, lone, edge_table(lone)).empty());
+}

@@ -1,0 +1,154 @@
+#include "model/Session.hh"
+
+#include "../programs/Process.hh"
+#include "catch.hh"
+#include "meshes.hh"
+#include "model/RecipeText.hh"
+#include "model/numbers.hh"
+#include "model/perform.hh"
+
+using namespace whittle;
+using namespace whittle::viewer;
+using Catch::Matchers::Contains;
+
+namespace {
+
+void settle(Session& session) {
+  do {
+    std::this_thread::yield();
+    session.poll();
+  } while (!session.settled());
+}
+
+/// A session with a torus open.
+struct Opened {
+  Opened() {
+    files::write_mesh(folder / "torus.obj", meshes::torus(40, 24));
+    session.open(folder / "torus.obj");
+    settle(session);
+  }
+  programs::Folder folder;
+  Session session;
+};
+
+}  // namespace
+
+TEST_CASE("a model is opened, decimated and measured") {
+  Opened opened;
+  REQUIRE(opened.session.model());
+  REQUIRE(opened.session.outcome());
+  REQUIRE(opened.session.comparison());
+  CHECK(opened.session.outcome_is_current());
+  const auto json = numbers(opened.session);
+  CHECK(json["original"]["mesh"]["faces"] == 1920);
+  CHECK(json["simplified"]["faces"] == opened.session.outcome()->mesh().triangles.size());
+  CHECK(json["distance"]["two_sided"]["max_units"] > 0);
+}
+
+TEST_CASE("the last of many quick changes wins") {
+  Opened opened;
+  for (int i = 1; i <= 30; ++i)
+    opened.session.change(parse_options("ivdd:distance=" + std::to_string(0.05 * i) + "e"), "slider");
+  settle(opened.session);
+  CHECK(opened.session.outcome_is_current());
+  const auto wanted = recipe::run(opened.session.model()->mesh(), opened.session.recipe());
+  CHECK(opened.session.outcome()->mesh().triangles == wanted.mesh.triangles);
+  opened.session.undo();
+  settle(opened.session);
+  CHECK(options_text(opened.session.recipe()) == "--module fass:radius=0.8e");
+  CHECK(opened.session.outcome_is_current());
+}
+
+TEST_CASE("a recipe that cannot run says why and leaves the result") {
+  Opened opened;
+  const Outcome* before = opened.session.outcome();
+  opened.session.change(parse_options("ivdd"));
+  settle(opened.session);
+  CHECK_THAT(opened.session.problem(), Contains("needs distance"));
+  CHECK(opened.session.outcome() == before);
+  CHECK_FALSE(opened.session.outcome_is_current());
+  opened.session.change({});
+  CHECK_THAT(opened.session.problem(), Contains("no module"));
+}
+
+TEST_CASE("not live: the plan comes first, the run when asked") {
+  Opened opened;
+  opened.session.set_live(false);
+  opened.session.set_plan_wanted(true);
+  const Outcome* before = opened.session.outcome();
+  opened.session.change(parse_options("ivdd:distance=1.2e"));
+  settle(opened.session);
+  REQUIRE(opened.session.plan());
+  CHECK(opened.session.plan()->vertices_gone > 0);
+  CHECK(opened.session.outcome() == before);
+  opened.session.run();
+  settle(opened.session);
+  CHECK(opened.session.outcome_is_current());
+  CHECK(opened.session.model()->mesh().points.size() - opened.session.plan()->vertices_gone ==
+        opened.session.outcome()->mesh().points.size());
+  opened.session.set_plan_wanted(false);
+  CHECK_FALSE(opened.session.plan());
+}
+
+TEST_CASE("a broken file is an error, and the old model stays") {
+  Opened opened;
+  files::write_file(opened.folder / "broken.ply", "ply\nnonsense\n");
+  opened.session.open(opened.folder / "broken.ply");
+  settle(opened.session);
+  REQUIRE(opened.session.errors.size() == 1);
+  CHECK_THAT(opened.session.errors.front(), Contains("broken.ply"));
+  CHECK_THAT(opened.session.model()->path, Contains("torus.obj"));
+  CHECK(opened.session.outcome());
+}
+
+TEST_CASE("a session may end in the middle of its work") {
+  const programs::Folder folder;
+  files::write_mesh(folder / "torus.obj", meshes::torus(200, 100));
+  Session session;
+  session.open(folder / "torus.obj");
+  while (!session.model()) session.poll();
+  session.change(parse_options("quadric --ratio 0.1 --driver decimater"));
+}
+
+TEST_CASE("what is exported is what was measured") {
+  Opened opened;
+  for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
+    opened.session.export_result(opened.folder / name, false);
+    const auto file = files::read_mesh(opened.folder / name);
+    CHECK(file.mesh.triangles.size() == opened.session.outcome()->mesh().triangles.size());
+  }
+  CHECK_THROWS_AS(opened.session.export_result(opened.folder / "a.xyz", false), files::FileError);
+}
+
+TEST_CASE("commands change session and view") {
+  Opened opened;
+  View view;
+  const auto perform_all = [&](const std::string& text) {
+    for (const Command& command : parse_script(text, "s")) CHECK(perform(command, opened.session, view, 1));
+  };
+  perform_all(
+      "module vt\nadd fad:angle=30\nmove 2 1\nset 1 angle 40\ntarget ratio 0.5\ndriver sweep\ndelaunay 20\n");
+  CHECK(options_text(opened.session.recipe()) ==
+        "--module fad:angle=40 --module vt --ratio 0.5 --delaunay 20 --driver sweep");
+  perform_all("remove 2\ntarget none\ndelaunay off\ndriver auto\nundo\nredo\n");
+  CHECK(options_text(opened.session.recipe()) == "--module fad:angle=40");
+  perform_all(
+      "layout split\nshading flat\nheat on\nheat-top 0.5\nedges feature on\nfeature-angle 50\nsplit "
+      "0.1\nplan on\n");
+  CHECK(view.layout == Layout::split);
+  CHECK(view.shading == Shading::flat);
+  CHECK(view.heat);
+  CHECK(view.heat_top == 0.5);
+  CHECK(view.shows(EdgeSet::feature));
+  CHECK(view.feature_angle == 50);
+  CHECK(view.split == 0.1);
+  CHECK(view.plan);
+  perform_all("save-recipe '" + opened.folder / "a.recipe" + "'\nmodule vt\nrecipe '" +
+              opened.folder / "a.recipe" + "'\n");
+  CHECK(options_text(opened.session.recipe()) == "--module fad:angle=40");
+  for (const char* bad :
+       {"layout x", "shading x", "edges x on", "set 9 angle 3", "set 1 angle 300", "module x", "target half",
+        "target ratio x", "driver x", "recipe /none", "export /none/a.ply"})
+    CHECK_THROWS_AS(perform(parse_script(bad, "s")[0], opened.session, view, 1), ScriptError);
+  CHECK_FALSE(perform(parse_script("close", "s")[0], opened.session, view, 1));
+}
