@@ -21,8 +21,9 @@ TEST_CASE("every module of the catalogue can be added and run") {
     INFO(module.name);
     recipe::Recipe recipe;
     if (module.role == recipe::Role::constraint) recipe = first_recipe();
-    recipe.modules.push_back(fresh_module(module.name));
+    recipe = with_added(recipe, fresh_module(module.name).text());
     CHECK_NOTHROW(recipe::check(recipe));
+    CHECK(recipe.target.any() == (module.name == "mq"));  // which goes nowhere without one
   }
 }
 

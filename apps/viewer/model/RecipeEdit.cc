@@ -38,15 +38,22 @@ Recipe first_recipe() {
   return recipe;
 }
 
+Recipe with_needed_target(Recipe recipe, const std::string& module) {
+  if (module == "mq" && !recipe.target.any()) recipe.target.ratio = 0.5;
+  return recipe;
+}
+
 Recipe with_module(Recipe recipe, std::size_t place, const std::string& spec) {
   check_place(recipe, place);
   recipe.modules[place] = recipe::parse_spec(spec);
-  return recipe;
+  const std::string name = recipe.modules[place].name;
+  return with_needed_target(std::move(recipe), name);
 }
 
 Recipe with_added(Recipe recipe, const std::string& spec) {
   recipe.modules.push_back(recipe::parse_spec(spec));
-  return recipe;
+  const std::string name = recipe.modules.back().name;
+  return with_needed_target(std::move(recipe), name);
 }
 
 Recipe without(Recipe recipe, std::size_t place) {

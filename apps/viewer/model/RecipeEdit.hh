@@ -16,6 +16,9 @@ recipe::Spec fresh_module(const std::string& name);
 /// What the viewer starts with.
 recipe::Recipe first_recipe();
 
+/// The recipe with a target of half the faces if the module needs a target and there is none.
+recipe::Recipe with_needed_target(recipe::Recipe recipe, const std::string& module);
+
 /// Each gives the changed recipe. A module is named by its place in the chain, from 0.
 /// \throw RecipeError  no such module, key or place, a value out of range.
 /// \{
