@@ -130,7 +130,7 @@ void LinePainter::draw(const PointBuffer& points, const Camera& camera, const Ei
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // stays opaque
   points.draw(mode);
   glDisable(GL_BLEND);
 }

@@ -123,7 +123,7 @@ void SurfacePainter::draw_wires(const MeshBuffers& mesh, const Camera& camera, c
   glUniform4fv(glGetUniformLocation(program, "front_wire"), 1, front.data());
   glUniform4fv(glGetUniformLocation(program, "back_wire"), 1, back.data());
   glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // stays opaque
   glDepthFunc(GL_LEQUAL);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   mesh.draw();

@@ -167,7 +167,10 @@ TEST_CASE("every shading and every overlay changes the picture") {
   const Image smooth = studio.picture("smooth");
   for (const char* name : {"flat", "wires", "wires-over", "edges", "plan"}) {
     INFO(name);
-    CHECK(difference(smooth, studio.picture(name), 0, kWidth) > 0.02);
+    const Image image = studio.picture(name);
+    CHECK(difference(smooth, image, 0, kWidth) > 0.02);
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+      if (image.rgba[i] != 255) FAIL("a pixel that one can see through");
   }
 }
 
