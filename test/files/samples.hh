@@ -2,18 +2,15 @@
 /// A folder for the files of one test, and small meshes to put in it.
 #pragma once
 
-#include <stdlib.h>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
-#include "catch.hh"
+#include "Folder.hh"
 #include "files/MeshFile.hh"
 
 namespace whittle::files {
@@ -21,25 +18,9 @@ namespace whittle::files {
 using Triangles = std::vector<IndexedMesh::Triangle>;
 using Names = std::vector<std::string>;
 
-/// A new folder, removed with all that is in it.
-class Folder {
+/// A folder to put files into and read them from.
+class Folder : public scratch::Folder {
  public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "whittle-files-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
-  std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
-  }
-
   /// Puts a file there and reads it as a mesh.
   MeshFile read(const std::string& name, const std::string& bytes) const {
     put(name, bytes);
@@ -50,10 +31,7 @@ class Folder {
     std::ofstream(*this / name, std::ios::binary) << bytes;
   }
 
-  std::string get(const std::string& name) const {
-    std::ifstream in(*this / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  std::string get(const std::string& name) const { return scratch::contents(*this / name); }
 
   /// The message with which reading fails, from behind the folder's name: "a.obj:3: what".
   std::string error(const std::string& name, const std::string& bytes) const {
@@ -68,14 +46,11 @@ class Folder {
       action();
     } catch (const FileError& error) {
       const std::string text = error.what();
-      const std::string prefix = path_.string() + "/";
+      const std::string prefix = path().string() + "/";
       return text.rfind(prefix, 0) == 0 ? text.substr(prefix.size()) : text;
     }
     return {};
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// Exact to the last bit of Real: the sign of zero counts.

@@ -12,35 +12,16 @@
 #include <string>
 #include <vector>
 
-#include "catch.hh"
+#include "Folder.hh"
 
 namespace programs {
 
-/// A folder of the test's own, gone at its end.
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "whittle-test-XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
-  }
-
- private:
-  std::filesystem::path path_;
+/// The same with paths as arguments take them.
+struct Folder : scratch::Folder {
+  std::string operator/(const std::string& name) const { return (path() / name).string(); }
 };
 
-inline std::string contents(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using scratch::contents;
 
 struct Outcome {
   int code = -1;

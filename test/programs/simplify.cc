@@ -107,7 +107,7 @@ TEST_CASE("simplify may overwrite its input") {
   const Input in;
   CHECK(simplify({in.path, in.path, "--module", "fad"}).code == 0);
   CHECK(files::read_mesh(in.path).mesh.triangles.size() < 2688);
-  CHECK(in.folder.files() == 1);
+  CHECK(in.folder.entries() == 1);
 }
 
 TEST_CASE("a target out of reach is exit 1, one line, and the mesh as far as it came") {
@@ -157,14 +157,14 @@ TEST_CASE("bad usage and bad input are exit 2 with one line that names the culpr
   const std::string out = in.folder / "out.ply";
   std::ofstream(in.folder / "broken.obj") << "v 0 0 0\nv 1 0 0\nf 1 2 3\n";
   const auto refused = [&](std::vector<std::string> arguments, const std::string& culprit) {
-    const std::size_t files_before = in.folder.files();
+    const std::size_t files_before = in.folder.entries();
     const auto done = programs::run(WHITTLE_PROGRAM, arguments);
     INFO(culprit << " | " << done.err);
     CHECK(done.code == 2);
     CHECK(done.out.empty());
     CHECK(done.error_lines() == 1);
     CHECK_THAT(done.err, Contains(culprit));
-    CHECK(in.folder.files() == files_before);
+    CHECK(in.folder.entries() == files_before);
   };
   refused({}, "no command given");
   refused({"melt"}, "melt");

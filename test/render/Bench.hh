@@ -3,16 +3,13 @@
 #pragma once
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "catch.hh"
+#include "Folder.hh"
 #include "experiment/GeneratedMesh.hh"
 #include "files/MeshFile.hh"
 
@@ -20,33 +17,18 @@ namespace bench_program {
 
 namespace fs = std::filesystem;
 
-inline std::string slurp(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// A folder with a small ball in it, and the program run there by the shell.
 class Bench {
  public:
-  Bench() {
-    std::string name = (fs::temp_directory_path() / "whittle-bench-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    folder_ = name;
-    whittle::files::write_mesh(folder_ / "ball.obj", whittle::bench::generated_mesh(12));
-  }
-  ~Bench() { fs::remove_all(folder_); }
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
+  Bench() { whittle::files::write_mesh(folder_ / "ball.obj", whittle::bench::generated_mesh(12)); }
 
   /// The exit code; what the program said is then in `out` and `err`.
   int run(const std::string& arguments, const std::string& before = "") {
-    const std::string command = "cd '" + folder_.string() + "' && " + before +
+    const std::string command = "cd '" + folder().string() + "' && " + before +
                                 " '" WHITTLE_BENCH_PROGRAM "' " + arguments + " > out.txt 2> err.txt";
     const int status = std::system(command.c_str());
-    out = slurp(folder_ / "out.txt");
-    err = slurp(folder_ / "err.txt");
+    out = scratch::contents(folder_ / "out.txt");
+    err = scratch::contents(folder_ / "err.txt");
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
@@ -54,7 +36,7 @@ class Bench {
   /// end; after a minute the signal comes anyway. The exit code is 128 plus the signal's number where it dies
   /// of it.
   int run_and_signal(const std::string& arguments, const std::string& signal, std::size_t times) {
-    const std::string command = "cd '" + folder_.string() + "' && { '" WHITTLE_BENCH_PROGRAM "' " +
+    const std::string command = "cd '" + folder().string() + "' && { '" WHITTLE_BENCH_PROGRAM "' " +
                                 arguments +
                                 " > out.txt 2> err.txt & p=$!; i=0; while [ $i -lt 600 ]; do n=$(grep -c "
                                 "visited_as r/results.json 2> /dev/null); "
@@ -62,8 +44,8 @@ class Bench {
                                 std::to_string(times) + " ] && break; i=$((i+1)); sleep 0.1; done; kill -s " +
                                 signal + " $p; wait $p; } 2> /dev/null";
     const int status = std::system(command.c_str());
-    out = slurp(folder_ / "out.txt");
-    err = slurp(folder_ / "err.txt");
+    out = scratch::contents(folder_ / "out.txt");
+    err = scratch::contents(folder_ / "err.txt");
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
@@ -74,11 +56,11 @@ class Bench {
     return names;
   }
 
-  const fs::path& folder() const { return folder_; }
+  const fs::path& folder() const { return folder_.path(); }
   std::string out, err;
 
  private:
-  fs::path folder_;
+  scratch::Folder folder_;
 };
 
 /// Paper 1's experiment on the ball, in a moment.

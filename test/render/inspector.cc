@@ -1,8 +1,6 @@
 #include "experiment/Inspector.hh"
 
-#include <unistd.h>
-
-#include "catch.hh"
+#include "Folder.hh"
 #include "egl/EglContext.hh"
 #include "experiment/GeneratedMesh.hh"
 
@@ -11,26 +9,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "whittle-inspector-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 /// A small ball, an experiment on it, and an inspector.
 struct Example {
   egl::EglContext context;
-  Folder folder;
+  scratch::Folder folder;
   IndexedMesh ball = bench::generated_mesh(8);
   bench::Settings settings{64, 32, 14, 500};
   bench::ExperimentResult experiment;

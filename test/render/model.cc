@@ -1,38 +1,14 @@
 #include "experiment/Model.hh"
 
-#include <unistd.h>
-
-#include "catch.hh"
+#include "Folder.hh"
 #include "experiment/GeneratedMesh.hh"
 #include "files/MeshFile.hh"
 
 using namespace whittle;
 namespace fs = std::filesystem;
 
-namespace {
-
-/// A new folder that goes with its owner.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "whittle-model-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
-
 TEST_CASE("without the bunny the model is the stand-in, and says so whatever it is called") {
-  const Folder empty;
+  const scratch::Folder empty;
   const auto model = bench::load_model(std::nullopt, empty.path());
   CHECK(model.kind == bench::ModelKind::generated);
   CHECK(model.label == "generated closed mesh, not the bunny");
@@ -44,7 +20,7 @@ TEST_CASE("without the bunny the model is the stand-in, and says so whatever it 
 }
 
 TEST_CASE("the bunny is taken from the cache") {
-  const Folder cache;
+  const scratch::Folder cache;
   files::write_mesh(cache.path() / "bunny.ply", bench::generated_mesh(3));
   const auto model = bench::load_model(std::nullopt, cache.path());
   CHECK(model.kind == bench::ModelKind::bunny);
@@ -55,7 +31,7 @@ TEST_CASE("the bunny is taken from the cache") {
 }
 
 TEST_CASE("a file of other units is noted, and only its name is kept of its path") {
-  const Folder folder;
+  const scratch::Folder folder;
   files::write_mesh(folder.path() / "ball.obj", bench::generated_mesh(3, 1.0));
   const auto model = bench::load_model(folder.path() / "ball.obj", folder.path());
   CHECK(model.kind == bench::ModelKind::file);

@@ -13,7 +13,7 @@ TEST_CASE("a run leaves the results, the report and the pictures") {
                                                         "report.md", "results.json", "times.csv"});
   CHECK(bench.files_in("r/pictures").size() == 8);
   CHECK(bench.files_in("r/charts") == std::vector<std::string>{"figure-11-12.svg", "figure-9-10.svg"});
-  const auto root = nlohmann::json::parse(slurp(bench.folder() / "r" / "results.json"));
+  const auto root = nlohmann::json::parse(scratch::contents(bench.folder() / "r" / "results.json"));
   CHECK(root["complete"] == true);
   CHECK(root["protocol"] == "quick, changed by options");
   CHECK(root["settings"]["image_width_px"] == 64);
@@ -24,7 +24,7 @@ TEST_CASE("a run leaves the results, the report and the pictures") {
   REQUIRE(experiment["sets"].size() == 3);
   for (const auto& set : experiment["sets"]) CHECK(set["times"].size() == 2);
   CHECK_FALSE(experiment["sets"][1]["fidelity"].is_null());
-  CHECK_THAT(slurp(bench.folder() / "r/pictures/paper1-original-whole.png"),
+  CHECK_THAT(scratch::contents(bench.folder() / "r/pictures/paper1-original-whole.png"),
              Catch::Contains("Original, a ball"));
   // Not a terminal: plain lines, the last for the sixth of six visits.
   CHECK_THAT(bench.err, Catch::Contains("\n[6/6] paper1, repetition 2 of 2, ") && !Catch::Contains("\r"));
@@ -36,7 +36,7 @@ TEST_CASE("all three experiments run on small models") {
   CHECK(
       bench.run("--model ball.obj --monkey ball.obj --size 32 --frames-from 0 --frames-to 1 --repetitions 1 "
                 "--views 1 --samples 100 --out r --quiet --sets vt") == 0);
-  const auto root = nlohmann::json::parse(slurp(bench.folder() / "r" / "results.json"));
+  const auto root = nlohmann::json::parse(scratch::contents(bench.folder() / "r" / "results.json"));
   REQUIRE(root["experiments"].size() == 3);
   for (const auto& experiment : root["experiments"])
     for (const auto& set : experiment["sets"]) {
@@ -45,7 +45,7 @@ TEST_CASE("all three experiments run on small models") {
       CHECK(set["times"].size() == 1);
       CHECK(set["fidelity"].is_null() == (set["name"] == "original" || set["role"] == "cache"));
     }
-  const auto page = slurp(bench.folder() / "r" / "report.html");
+  const auto page = scratch::contents(bench.folder() / "r" / "report.html");
   CHECK_THAT(page, Catch::Contains("id=\"peers\"") && Catch::Contains("id=\"error-frame-time\"") &&
                        Catch::Contains("nothing is known of the spread") && !Catch::Contains("is not there"));
 }
@@ -53,13 +53,13 @@ TEST_CASE("all three experiments run on small models") {
 TEST_CASE("the report can be made again from the results alone, there or elsewhere") {
   Bench bench;
   REQUIRE(bench.run(std::string(kShort) + "--sets vt --quiet") == 0);
-  const auto html = slurp(bench.folder() / "r/report.html");
+  const auto html = scratch::contents(bench.folder() / "r/report.html");
   fs::remove(bench.folder() / "r/report.html");
   // Without a driver nothing could be drawn.
   CHECK(bench.run("report r/results.json", "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null") == 0);
-  CHECK(slurp(bench.folder() / "r/report.html") == html);
+  CHECK(scratch::contents(bench.folder() / "r/report.html") == html);
   CHECK(bench.run("report r/results.json --out elsewhere") == 0);
-  CHECK(slurp(bench.folder() / "elsewhere/report.html") == html);
+  CHECK(scratch::contents(bench.folder() / "elsewhere/report.html") == html);
 }
 
 TEST_CASE("an option given twice counts as given last, and sets may be given in several goes") {
@@ -78,7 +78,7 @@ TEST_CASE("pictures alone: no times, no results, and older results stay as they 
   CHECK(bench.files_in("r/pictures") ==
         std::vector<std::string>{"paper1-original-detail.png", "paper1-original-whole.png",
                                  "paper1-vt-detail.png", "paper1-vt-heat.png", "paper1-vt-whole.png"});
-  CHECK(slurp(bench.folder() / "r" / "results.json") == "older");
+  CHECK(scratch::contents(bench.folder() / "r" / "results.json") == "older");
   CHECK(bench.out == "pictures are in r/pictures\n");
   CHECK_THAT(bench.err, !Catch::Contains("repetition"));
 }

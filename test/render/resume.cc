@@ -10,7 +10,7 @@ using nlohmann::json;
 namespace {
 
 json results(const Bench& bench) {
-  return json::parse(slurp(bench.folder() / "r" / "results.json"));
+  return json::parse(scratch::contents(bench.folder() / "r" / "results.json"));
 }
 
 std::size_t visits(const json& root) {
@@ -36,7 +36,7 @@ TEST_CASE("a killed run keeps its results whole, a report can be made, and --res
   const std::size_t kept = visits(before);
   CHECK(kept >= 5);
   CHECK(bench.run("report r/results.json") == 0);
-  CHECK_THAT(slurp(bench.folder() / "r/report.md"), Catch::Contains("This run is not finished"));
+  CHECK_THAT(scratch::contents(bench.folder() / "r/report.md"), Catch::Contains("This run is not finished"));
 
   CHECK(bench.run_and_signal(std::string(kLong) + "--resume", "TERM", kept + 3) == 128 + 15);
   CHECK_THAT(bench.err, Catch::Contains("interrupted; what was timed so far is kept"));
@@ -62,27 +62,27 @@ TEST_CASE("a resumed run that is whole already only makes its report again") {
 TEST_CASE("other options than before do not go on with the results, and leave them alone") {
   Bench bench;
   REQUIRE(bench.run(std::string(kShort) + "--sets vt --quiet") == 0);
-  const auto before = slurp(bench.folder() / "r/results.json");
+  const auto before = scratch::contents(bench.folder() / "r/results.json");
   CHECK(bench.run(std::string(kShort) + "--sets vt --quiet --resume --size 32") == 2);
   CHECK(bench.err ==
         "whittle-bench: --resume: cannot go on with these results: the image size was 64x48 and is now "
         "32x32\n");
-  CHECK(slurp(bench.folder() / "r/results.json") == before);
+  CHECK(scratch::contents(bench.folder() / "r/results.json") == before);
 }
 
 TEST_CASE("without --resume older results are set aside, not written over") {
   Bench bench;
   REQUIRE(bench.run(std::string(kShort) + "--sets vt --quiet") == 0);
-  const auto before = slurp(bench.folder() / "r/results.json");
+  const auto before = scratch::contents(bench.folder() / "r/results.json");
   CHECK(bench.run(std::string(kShort) + "--sets original --quiet") == 0);
   CHECK_THAT(bench.err, Catch::Contains("results.1.json"));
-  CHECK(slurp(bench.folder() / "r/results.1.json") == before);
+  CHECK(scratch::contents(bench.folder() / "r/results.1.json") == before);
 }
 
 TEST_CASE("a full disk ends with 1 and one line, and keeps what was saved") {
   Bench bench;
   REQUIRE(bench.run(std::string(kShort) + "--sets vt --quiet") == 0);
-  const auto before = slurp(bench.folder() / "r/results.json");
+  const auto before = scratch::contents(bench.folder() / "r/results.json");
   // A limit on the size of files stands in for a disk that is full: the program gets an error when it writes.
   const std::string full = "ulimit -f 1; trap '' XFSZ;";
   CHECK(bench.run(std::string(kShort) + "--sets vt --quiet --resume", full) == 1);
@@ -90,7 +90,7 @@ TEST_CASE("a full disk ends with 1 and one line, and keeps what was saved") {
   CHECK_THAT(bench.err,
              Catch::StartsWith("whittle-bench: r/results.json: ") && Catch::Contains("--resume goes on"));
   CHECK(std::count(bench.err.begin(), bench.err.end(), '\n') == 1);
-  CHECK(slurp(bench.folder() / "r/results.json") == before);
+  CHECK(scratch::contents(bench.folder() / "r/results.json") == before);
   // With room again it goes on.
   CHECK(bench.run(std::string(kShort) + "--sets vt --quiet --resume") == 0);
   CHECK(results(bench)["complete"] == true);

@@ -1,35 +1,17 @@
 #include "experiment/Store.hh"
 
-#include <unistd.h>
-
 #include <fstream>
 
 #include "../report/example.hh"
-#include "catch.hh"
+#include "Folder.hh"
 #include "results/json.hh"
 
 using namespace whittle;
 namespace fs = std::filesystem;
 
-namespace {
-
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "whittle-store-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-};
-
-}  // namespace
-
 TEST_CASE("what is saved is loaded again") {
-  const Folder folder;
-  const bench::Store store(folder.path / "new");
+  const scratch::Folder folder;
+  const bench::Store store(folder.path() / "new");
   CHECK_FALSE(store.load());
   store.save(example::results());
   const auto loaded = store.load();
@@ -38,22 +20,22 @@ TEST_CASE("what is saved is loaded again") {
 }
 
 TEST_CASE("older results are set aside under names that are free") {
-  const Folder folder;
-  const bench::Store store(folder.path);
+  const scratch::Folder folder;
+  const bench::Store store(folder.path());
   CHECK_FALSE(store.set_aside());
   store.save(example::results());
-  CHECK(store.set_aside() == folder.path / "results.1.json");
+  CHECK(store.set_aside() == folder.path() / "results.1.json");
   store.save(example::results());
-  CHECK(store.set_aside() == folder.path / "results.2.json");
-  CHECK_FALSE(fs::exists(folder.path / "results.json"));
+  CHECK(store.set_aside() == folder.path() / "results.2.json");
+  CHECK_FALSE(fs::exists(folder.path() / "results.json"));
 }
 
 TEST_CASE("a file that is not whole is an error that names it") {
-  const Folder folder;
-  const bench::Store store(folder.path);
-  std::ofstream(folder.path / "results.json") << "{\"schema\":";
+  const scratch::Folder folder;
+  const bench::Store store(folder.path());
+  std::ofstream(folder.path() / "results.json") << "{\"schema\":";
   CHECK_THROWS_WITH(store.load(), Catch::Contains("results.json: not JSON, or cut off"));
-  CHECK_THROWS_WITH(bench::read_text(folder.path / "missing"), Catch::Contains("missing: No such file"));
+  CHECK_THROWS_WITH(bench::read_text(folder.path() / "missing"), Catch::Contains("missing: No such file"));
 }
 
 TEST_CASE("a folder that cannot be is an error at once") {

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-#include "catch.hh"
+#include "Folder.hh"
 #include "example.hh"
 #include "render/Image.hh"
 #include "report/Report.hh"
@@ -18,30 +18,6 @@ using namespace whittle;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string contents(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "whittle-report-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;  // Chromium's helpers may still be writing to their profile
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
 
 /// Once all is loaded, counts what the reader sees and leaves the counts in the page.
 constexpr char kProbe[] = R"(<script>
@@ -66,7 +42,7 @@ TEST_CASE("in a browser all charts and pictures are there, and the console has n
     WARN("skipped: chromium is not installed; bootstrap.sh installs it");
     return;
   }
-  const Folder folder;
+  const scratch::Folder folder;
   fs::create_directories(folder / "pictures");
   const render::Image image{2, 1, {255, 0, 0, 255, 0, 0, 255, 255}};
   for (const char* name : {"whole", "detail", "heat"})
@@ -76,7 +52,7 @@ TEST_CASE("in a browser all charts and pictures are there, and the console has n
   results.experiments[0].sets[0].pictures = results.experiments[0].sets[1].pictures;
   bench::write_report(results, folder / "");
 
-  std::string html = contents(folder / "report.html");
+  std::string html = scratch::contents(folder / "report.html");
   html.replace(html.rfind("</body>"), 7, kProbe);
   std::ofstream(folder / "probed.html") << html;
   for (const char* size : {"1280,900", "390,844"}) {
@@ -87,11 +63,11 @@ TEST_CASE("in a browser all charts and pictures are there, and the console has n
         (folder / "probed.html").string() + "' >'" + (folder / "dom").string() + "' 2>'" +
         (folder / "log").string() + "' </dev/null";
     const int status = std::system(command.c_str());
-    const std::string log = contents(folder / "log");
+    const std::string log = scratch::contents(folder / "log");
     INFO(size << "\n" << log);
     REQUIRE((WIFEXITED(status) && WEXITSTATUS(status) == 0));
     CHECK_THAT(log, !Catch::Contains("CONSOLE"));
-    const std::string dom = contents(folder / "dom");
+    const std::string dom = scratch::contents(folder / "dom");
     const auto begin = dom.find("data-seen=\"");
     REQUIRE(begin != std::string::npos);
     // Pictures: panorama and detail of the original, two details, two heat maps. Charts: two of Paper 1, two
