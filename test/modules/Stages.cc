@@ -5,10 +5,8 @@
 
 #include "catch.hh"
 #include "meshes.hh"
+#include "planners.hh"
 #include "whittle/Circumcenter.hh"
-#include "whittle/FaceAngle.hh"
-#include "whittle/SphereScan.hh"
-#include "whittle/VertexDistance.hh"
 
 using namespace whittle;
 using Eigen::Vector3d;
@@ -16,28 +14,11 @@ using meshes::IndexedMesh;
 using meshes::Merges;
 using Surface = SurfaceT<double>;
 using Stages = StagesT<double>;
+using planners::fad, planners::ivdd, planners::ss;
 
 namespace {
 
 constexpr auto kNever = [](const Stages&) { return false; };
-
-VertexDistance ivdd(double distance) {
-  VertexDistance planner;
-  planner.max_distance = distance;
-  return planner;
-}
-
-SphereScan ss(double radius) {
-  SphereScan planner;
-  planner.radius = radius;
-  return planner;
-}
-
-FaceAngle fad(double degrees) {
-  FaceAngle planner;
-  planner.max_normal_angle = degrees;
-  return planner;
-}
 
 /// A planner that merges two vertices at a place, whatever they are called in its surface.
 struct MergeAt {

@@ -2,25 +2,17 @@
 
 #include "OpenMeshFixture.hh"
 #include "measure/MeshFacts.hh"
+#include "planners.hh"
 #include "whittle/Circumcenter.hh"
-#include "whittle/FaceAngle.hh"
 #include "whittle/ModVertexDistanceT.hh"
-#include "whittle/SphereScan.hh"
 #include "whittle/SweepDecimaterT.hh"
-#include "whittle/VertexDistance.hh"
-#include "whittle/VertexTripletDistance.hh"
 #include "whittle/compact.hh"
 
 using namespace whittle;
 using meshes::IndexedMesh;
+using planners::ivdd;
 
 namespace {
-
-VertexDistance ivdd(double distance) {
-  VertexDistance planner;
-  planner.max_distance = distance;
-  return planner;
-}
 
 template <typename Planner>
 void check_any_number_of_threads(const Planner& planner, const IndexedMesh& mesh) {

@@ -5,15 +5,13 @@
 #include "measure/Distance.hh"
 #include "measure/MeshFacts.hh"
 #include "meshes.hh"
+#include "planners.hh"
 #include "whittle/Chain.hh"
 #include "whittle/Circumcenter.hh"
-#include "whittle/FaceAngle.hh"
-#include "whittle/SphereScan.hh"
-#include "whittle/VertexDistance.hh"
-#include "whittle/VertexTripletDistance.hh"
 #include "whittle/execute.hh"
 
 using namespace whittle;
+using planners::fad, planners::ivdd, planners::ss, planners::vtd;
 
 namespace {
 
@@ -68,31 +66,6 @@ void check_set(const Planner& planner, double percent_removed, double mean_error
   CHECK(outcome.distance.two_sided.mean < mean_error);
   // Thin places confuse the nearest face.
   CHECK(double(outcome.distance.flipped_faces) <= 2e-4 * double(outcome.out.mesh.triangles.size()));
-}
-
-SphereScan ss(double radius, SphereScan::Placement placement = SphereScan::Placement::paper) {
-  SphereScan planner;
-  planner.radius = radius;
-  planner.placement = placement;
-  return planner;
-}
-
-FaceAngle fad(double degrees) {
-  FaceAngle planner;
-  planner.max_normal_angle = degrees;
-  return planner;
-}
-
-VertexDistance ivdd(double distance) {
-  VertexDistance planner;
-  planner.max_distance = distance;
-  return planner;
-}
-
-VertexTripletDistance vtd(double distance) {
-  VertexTripletDistance planner;
-  planner.max_distance = distance;
-  return planner;
 }
 
 Chain<FaceAngle, SphereScan> fass(double radius, double degrees) {
