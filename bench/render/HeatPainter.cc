@@ -2,7 +2,10 @@
 
 #include <Eigen/Geometry>
 
+#include <string>
+
 #include "render/Renderer.hh"
+#include "render/heat_colour.hh"
 #include "render/program.hh"
 
 namespace whittle::render {
@@ -24,26 +27,23 @@ void main() {
 }
 )";
 
-constexpr char kFragmentShader[] = R"(#version 330 core
+// Between the two stand the heat colours.
+constexpr char kFragmentHead[] = "#version 330 core\n";
+constexpr char kFragmentShader[] = R"(
 in vec3 eye_normal;
 in float heat;
 out vec4 colour;
 
-const vec3 stops[5] = vec3[5](vec3(0.267, 0.005, 0.329), vec3(0.231, 0.322, 0.545), vec3(0.129, 0.569, 0.549),
-                              vec3(0.369, 0.788, 0.384), vec3(0.993, 0.906, 0.144));
-
 void main() {
-  float along = 4.0 * clamp(heat, 0.0, 1.0);
-  int stop = min(int(along), 3);
-  vec3 surface = mix(stops[stop], stops[stop + 1], along - float(stop));
-  colour = vec4(surface * (0.55 + 0.45 * abs(normalize(eye_normal).z)), 1.0);
+  colour = vec4(heat_colour(heat) * (0.55 + 0.45 * abs(normalize(eye_normal).z)), 1.0);
 }
 )";
 
 }  // namespace
 
 HeatPainter::HeatPainter() {
-  link_program(program_.name(), kVertexShader, kFragmentShader);
+  const std::string fragment = kFragmentHead + heat_colour_shader() + kFragmentShader;
+  link_program(program_.name(), kVertexShader, fragment.c_str());
   model_view_ = glGetUniformLocation(program_.name(), "model_view");
   projection_ = glGetUniformLocation(program_.name(), "projection");
 }

@@ -1,7 +1,9 @@
 #include "render/SurfacePainter.hh"
 
 #include <Eigen/Geometry>
+#include <string>
 
+#include "render/heat_colour.hh"
 #include "render/program.hh"
 
 namespace whittle::render {
@@ -28,7 +30,9 @@ void main() {
 }
 )";
 
-constexpr char kSurfaceShader[] = R"(#version 330 core
+// Between the two stand the heat colours.
+constexpr char kSurfaceHead[] = "#version 330 core\n";
+constexpr char kSurfaceShader[] = R"(
 in vec3 eye_position;
 in vec3 eye_normal;
 in float heat;
@@ -41,20 +45,11 @@ out vec4 colour;
 
 const vec3 key_direction = vec3(-0.48, 0.68, 0.55);
 const vec3 fill_direction = vec3(0.80, 0.05, 0.60);
-const vec3 stops[5] = vec3[5](vec3(0.267, 0.005, 0.329), vec3(0.231, 0.322, 0.545), vec3(0.129, 0.569, 0.549),
-                              vec3(0.369, 0.788, 0.384), vec3(0.993, 0.906, 0.144));
-
-vec3 heat_colour() {
-  float along = 4.0 * clamp(heat, 0.0, 1.0);
-  int stop = min(int(along), 3);
-  return mix(stops[stop], stops[stop + 1], along - float(stop));
-}
-
 void main() {
   vec3 normal = flat_faces ? cross(dFdx(eye_position), dFdy(eye_position)) : eye_normal;
   normal /= max(length(normal), 1e-30);
   if (flat_faces ? normal.z < 0.0 : !gl_FrontFacing) normal = -normal;
-  vec3 surface = !gl_FrontFacing ? back : heated ? heat_colour() : front;
+  vec3 surface = !gl_FrontFacing ? back : heated ? heat_colour(heat) : front;
   float light = 1.0;
   if (lit && heated) {  // a little shade shows the form and leaves the colours legible
     light = 0.62 + 0.38 * normal.z;
@@ -96,7 +91,8 @@ void use(GLuint program, const MeshBuffers& mesh, const Camera& camera) {
 }  // namespace
 
 SurfacePainter::SurfacePainter() {
-  link_program(surface_.name(), kVertexShader, kSurfaceShader);
+  const std::string surface = kSurfaceHead + heat_colour_shader() + kSurfaceShader;
+  link_program(surface_.name(), kVertexShader, surface.c_str());
   link_program(wires_.name(), kVertexShader, kWireShader);
 }
 
