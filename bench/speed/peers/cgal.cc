@@ -1,5 +1,5 @@
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "peers/cgal_mesh.hh"  // first: the policies need the kernel
+
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
@@ -11,8 +11,8 @@ namespace whittle::speed {
 namespace {
 
 namespace sms = CGAL::Surface_mesh_simplification;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Kernel = bench::CgalKernel;
+using Mesh = bench::CgalMesh;
 
 /// CGAL stops by edges; of a closed mesh there are three for two faces.
 sms::Count_stop_predicate<Mesh> stop_at(std::size_t faces) {
@@ -38,34 +38,10 @@ class CgalContender : public Contender {
   using Simplify = void (*)(Mesh&, std::size_t);
   CgalContender(Simplify simplify, std::size_t faces) : simplify_(simplify), faces_(faces) {}
 
-  void load(const Subject& subject) override {
-    const Arrays& arrays = subject.arrays;
-    const auto n = [](std::size_t count) { return static_cast<Mesh::size_type>(count); };
-    mesh_.reserve(n(arrays.points.size()), n(arrays.triangles.size() * 3 / 2), n(arrays.triangles.size()));
-    for (const auto& p : arrays.points)
-      mesh_.add_vertex(Kernel::Point_3(double(p[0]), double(p[1]), double(p[2])));
-    for (const auto& t : arrays.triangles)
-      mesh_.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-  }
-
+  void load(const Subject& subject) override { bench::fill(mesh_, subject.arrays); }
   void decimate(Phases&) override { simplify_(mesh_, faces_); }
 
-  Arrays unload() override {
-    mesh_.collect_garbage();
-    Arrays out;
-    for (const auto v : mesh_.vertices()) {
-      const auto& p = mesh_.point(v);
-      out.points.push_back(Eigen::Vector3d(p.x(), p.y(), p.z()).cast<float>());
-    }
-    for (const auto f : mesh_.faces()) {
-      Arrays::Triangle t{};
-      int i = 0;
-      for (const auto v : mesh_.vertices_around_face(mesh_.halfedge(f)))
-        t[i++] = static_cast<std::uint32_t>(v.idx());
-      out.triangles.push_back(t);
-    }
-    return out;
-  }
+  Arrays unload() override { return bench::taken<float>(mesh_); }
 
  private:
   Simplify simplify_;
