@@ -2,14 +2,13 @@
 /// A triangle mesh that collapses edges fast: for planners that look far ahead.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "whittle/PackedNormal.hh"
 #include "whittle/Rings.hh"
-#include "whittle/Surface.hh"
 
 namespace whittle {
 
@@ -38,7 +37,7 @@ class CornerTable {
     std::array<std::uint32_t, 3> vertex;  ///< kDead in the first of a face that has vanished
     std::array<Corner, 3> twin;  ///< of the half-edge that starts at each corner; kNoCorner at a boundary
     std::uint32_t queued;        ///< a bit for each half-edge, for the planner's use
-    std::uint32_t normal;        ///< the unit normal in the input, packed
+    PackedNormal normal;         ///< in the input
   };
   static constexpr std::uint32_t kDead = 0xffffffffu;
 
@@ -84,7 +83,7 @@ inline CornerTable::CornerTable(const std::vector<Rings::Triangle>& triangles, c
                                 std::size_t n_vertices)
     : first_(n_vertices, kNoCorner) {
   faces_.reserve(triangles.size());
-  for (const Rings::Triangle& t : triangles) faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, 0, 0});
+  for (const Rings::Triangle& t : triangles) faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, 0, {}});
   const auto corner_at = [&](std::uint32_t f, std::uint32_t v) -> Corner {
     const auto& corners = triangles[f];
     return 4 * f + (corners[0] == v ? 0 : corners[1] == v ? 1 : 2);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +36,7 @@ class MemorylessQuadricRun {
   CollapsePlan take() { return std::move(plan_); }
 
  private:
-  MemorylessQuadricRun(MortonOrder order, std::size_t n_vertices, float min_cos, std::size_t n_threads);
+  MemorylessQuadricRun(MortonOrder order, float min_cos, std::size_t n_threads);
   using Vec = Eigen::Vector3f;
 
   /// What every visit of a vertex needs; the rest lies apart, so that more of these stay in the cache.
@@ -68,22 +69,8 @@ class MemorylessQuadricRun {
     return length > 0 ? SymmetricMatrix::outer(normal, 1 / length) : SymmetricMatrix();
   }
 
-  /// A unit normal in three times ten bits; kNoNormal where a face has none. Good to a fifth of a degree, and
-  /// faces may turn so much less than 90 degrees.
-  static constexpr std::uint32_t kNoNormal = 0;
+  /// Faces may turn so much less than 90 degrees against their packed normal in the input.
   static constexpr float kUpright = 1e-4f;
-  static std::uint32_t packed(const Vec& normal) {
-    const float length = normal.norm();
-    if (!(length > 0)) return kNoNormal;
-    std::uint32_t bits = 1u << 31;
-    for (int i = 0; i < 3; ++i)
-      bits |= static_cast<std::uint32_t>(512.5f + 511 * normal[i] / length) << 10 * i;
-    return bits;
-  }
-  static Vec unpacked(std::uint32_t bits) {
-    const auto part = [&](int i) { return (static_cast<float>(bits >> 10 * i & 1023) - 512) / 511; };
-    return {part(0), part(1), part(2)};
-  }
 
   void sum_quadrics();
   void queue_all();
@@ -99,13 +86,16 @@ class MemorylessQuadricRun {
   bool is_legal(Corner c, const Vec& target);
   template <typename Visit>
   bool survey(std::uint32_t v, Corner c, const Vec& target, Visit visit);
+  template <typename Visit>
+  void for_each_boundary_edge(std::uint32_t v, Visit visit) const;
+  Corner fuse(Corner c);
   void collapse(Corner c, const Placement& placement);
   void enqueue(Corner c, std::size_t bucket) {
     table_.face(c).queued |= 1u << (c & 3);
     queue_.push(c, bucket);
   }
 
-  MortonOrder order_;
+  std::vector<std::uint32_t> input_;  // what each vertex is called in the input
   CornerTable table_;
   std::vector<Vertex> vertices_;
   std::vector<SymmetricMatrix> quadrics_;
@@ -124,7 +114,7 @@ template <typename Real>
 MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh,
                                            const std::vector<std::uint8_t>& flags, float min_cos,
                                            std::size_t n_threads)
-    : MemorylessQuadricRun(MortonOrder(mesh), mesh.points.size(), min_cos, n_threads) {
+    : MemorylessQuadricRun(MortonOrder(mesh), min_cos, n_threads) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL), high = -low;
   for (const auto& p : mesh.points) {
     low = low.cwiseMin(p.template cast<double>());
@@ -133,7 +123,7 @@ MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh,
   center_ = (low + high) / 2;
   if ((high - low).maxCoeff() > 0) scale_ = (high - low).maxCoeff();
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    const std::uint32_t v = order_.vertex[i];
+    const std::uint32_t v = input_[i];
     const Eigen::Vector3d p = mesh.points[v].template cast<double>();
     vertices_[i] = {((p - center_) / scale_).template cast<float>(), 0};
     if (holds_[i] == kFree && !flags.empty() && (flags[v] & kHeld)) holds_[i] = kFixed;
@@ -141,26 +131,25 @@ MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh,
   sum_quadrics();
 }
 
-inline MemorylessQuadricRun::MemorylessQuadricRun(MortonOrder order, std::size_t n_vertices, float min_cos,
-                                                  std::size_t n_threads)
-    : order_(std::move(order)),
-      vertices_(n_vertices),
-      quadrics_(n_vertices),
-      holds_(n_vertices, kFree),
-      n_faces_(order_.triangles.size()),
-      n_vertices_(n_vertices),
+inline MemorylessQuadricRun::MemorylessQuadricRun(MortonOrder order, float min_cos, std::size_t n_threads)
+    : input_(std::move(order.vertex)),
+      vertices_(input_.size()),
+      quadrics_(input_.size()),
+      holds_(input_.size(), kFree),
+      n_faces_(order.triangles.size()),
+      n_vertices_(input_.size()),
       min_cos_(min_cos) {
   plan_.stages.push_back(0);
-  const Rings rings(order_.triangles, n_vertices, true, n_threads);
-  table_ = CornerTable(order_.triangles, rings, n_vertices);
-  for (std::uint32_t v = 0; v < n_vertices; ++v)
+  const Rings rings(order.triangles, input_.size(), true, n_threads);
+  table_ = CornerTable(order.triangles, rings, input_.size());
+  for (std::uint32_t v = 0; v < input_.size(); ++v)
     if (rings.shape(v) == RingShape::complex) holds_[v] = kUntouchable;
 }
 
 inline void MemorylessQuadricRun::sum_quadrics() {
   for (Corner c = 0; c < 4 * table_.n_faces(); c += 4) {
     const Vec normal = edge(c).cross(-edge(c + 2));
-    table_.face(c).normal = packed(normal);
+    table_.face(c).normal = PackedNormal(normal);
     const SymmetricMatrix quadric = face_quadric(normal);
     for (Corner i = c; i < c + 3; ++i) {
       quadrics_[table_.vertex(i)] += quadric;
@@ -200,7 +189,7 @@ inline auto MemorylessQuadricRun::place(Corner c) const -> Placement {
   const Vec u = (sum + SymmetricMatrix::identity(pull)).solve(pull_b + pull * middle);
   if ((u - middle).squaredNorm() <= 4 * e.squaredNorm())
     return {u, std::max(0.0f, (e - u).dot(pull_b) - pull * u.dot(u - middle))};
-  return {middle, std::max(0.0f, middle.dot((at_a + at_b) * middle))};
+  return {middle, std::max(0.0f, middle.dot(sum * middle))};
 }
 
 /// Goes around `v`: shows its neighbours to `visit`, and collects the faces that stay when half-edge `c`
@@ -218,9 +207,9 @@ bool MemorylessQuadricRun::survey(std::uint32_t v, Corner c, const Vec& target, 
       const float before = turn.before.squaredNorm(), after = turn.after.squaredNorm();
       const float cosine = turn.before.dot(turn.after);
       if (before > 0 && !(cosine * std::abs(cosine) > limit * before * after)) return false;
-      const float overall = unpacked(table_.face(at).normal).dot(turn.after);
-      if (table_.face(at).normal != kNoNormal && !(overall > 0 && overall * overall > kUpright * after))
-        return false;
+      const PackedNormal input = table_.face(at).normal;
+      const float overall = input.unpacked().dot(turn.after);
+      if (!input.is_none() && !(overall > 0 && overall * overall > kUpright * after)) return false;
       turns_.push_back(turn);
     }
     last = at;
@@ -251,29 +240,43 @@ inline bool MemorylessQuadricRun::is_legal(Corner c, const Vec& target) {
   return common == (interior ? 2u : 1u);
 }
 
+/// Calls `visit(half-edge, neighbour)` for the two boundary edges at `v`, if there are.
+template <typename Visit>
+void MemorylessQuadricRun::for_each_boundary_edge(std::uint32_t v, Visit visit) const {
+  if (!table_.is_open(v)) return;
+  const Corner first = table_.first(v);
+  visit(first, table_.vertex(next(first)));
+  Corner last = first;
+  for (Corner at = first; at != kNoCorner; at = table_.around(at)) last = at;
+  visit(previous(last), table_.vertex(previous(last)));
+}
+
+/// The face of `c` is about to vanish and its two other edges are about to become one: sees to it that this
+/// is queued once, if one of them is. \return a half-edge of it that has yet to be queued, or kNoCorner.
+inline Corner MemorylessQuadricRun::fuse(Corner c) {
+  const auto queued = [&](Corner at) {
+    return at != kNoCorner && (table_.face(at).queued >> (at & 3) & 1) != 0;
+  };
+  const Corner left = table_.twin(next(c)), right = table_.twin(previous(c));
+  if (queued(left) && queued(right)) table_.face(right).queued &= ~(1u << (right & 3));
+  if (queued(left) || queued(right) || !(queued(next(c)) || queued(previous(c)))) return kNoCorner;
+  return left != kNoCorner ? left : right;
+}
+
 inline void MemorylessQuadricRun::collapse(Corner c, const Placement& placement) {
-  const Corner d = table_.twin(c);
   const std::uint32_t to = table_.vertex(c), from = table_.vertex(next(c));
   const Vec e = edge(c), target = position(c) + placement.offset;
-  const bool swap = keeps_end(c);
+  const std::array<Corner, 2> sides{c, table_.twin(c)};
+  const std::uint32_t n_sides = sides[1] == kNoCorner ? 1 : 2;
 
   // What the vanishing faces and the boundary have added to the ring.
-  const auto forget = [&](Corner edge_of) {
-    const Corner tip = previous(edge_of);
-    quadrics_[table_.vertex(tip)] -= face_quadric(edge(edge_of).cross(-edge(tip)));
-  };
-  forget(c);
-  if (d != kNoCorner) forget(d);
-  const auto for_boundary = [&](std::uint32_t v, auto visit) {
-    if (!table_.is_open(v)) return;
-    const Corner first = table_.first(v);
-    visit(first, table_.vertex(next(first)));
-    Corner last = first;
-    for (Corner at = first; at != kNoCorner; at = table_.around(at)) last = at;
-    visit(previous(last), table_.vertex(previous(last)));
-  };
+  for (std::uint32_t i = 0; i < n_sides; ++i) {
+    const Corner tip = previous(sides[i]);
+    quadrics_[table_.vertex(tip)] -= face_quadric(edge(sides[i]).cross(-edge(tip)));
+  }
   for (const std::uint32_t v : {to, from})
-    for_boundary(v, [&](Corner half, std::uint32_t w) { quadrics_[w] -= boundary_quadric(edge(half)); });
+    for_each_boundary_edge(
+        v, [&](Corner half, std::uint32_t w) { quadrics_[w] -= boundary_quadric(edge(half)); });
 
   SymmetricMatrix quadric;
   for (const Turn& turn : turns_) {
@@ -283,46 +286,29 @@ inline void MemorylessQuadricRun::collapse(Corner c, const Placement& placement)
     quadrics_[table_.vertex(next(turn.corner))] += change;
     quadrics_[table_.vertex(previous(turn.corner))] += change;
   }
-  if (swap) std::swap(order_.vertex[from], order_.vertex[to]);  // the table merges the end into the start
+  const bool swap = keeps_end(c);
+  if (swap) std::swap(input_[from], input_[to]);  // the table merges the end into the start
   const float along = e.squaredNorm() > 0 ? placement.offset.dot(e) / e.squaredNorm() : 0.5f;
   ++plan_.record.planned;
-  plan_.collapses.push_back({order_.vertex[from], order_.vertex[to], d == kNoCorner ? 1u : 2u,
+  plan_.collapses.push_back({input_[from], input_[to], n_sides,
                              std::clamp(swap ? 1 - along : along, 0.0f, 1.0f),
                              center_ + scale_ * target.cast<double>()});
-  const Corner left = table_.twin(next(c)), right = table_.twin(previous(c));
-  const Corner left_d = d == kNoCorner ? kNoCorner : table_.twin(next(d));
-  const Corner right_d = d == kNoCorner ? kNoCorner : table_.twin(previous(d));
-  const auto queued = [&](Corner at) {
-    return at != kNoCorner && (table_.face(at).queued >> (at & 3) & 1) != 0;
-  };
-  // Edges that become one are queued once.
-  const auto fuse = [&](Corner inner1, Corner outer1, Corner inner2, Corner outer2) {
-    const bool any = queued(inner1) || queued(outer1) || queued(inner2) || queued(outer2);
-    if (queued(outer1) && queued(outer2)) table_.face(outer2).queued &= ~(1u << (outer2 & 3));
-    return any && !queued(outer1) && !queued(outer2);
-  };
-  const bool missing = fuse(next(c), left, previous(c), right);
-  const bool missing_d = d != kNoCorner && fuse(next(d), left_d, previous(d), right_d);
 
+  std::array<Corner, 2> unqueued{kNoCorner, kNoCorner};
+  for (std::uint32_t i = 0; i < n_sides; ++i) unqueued[i] = fuse(sides[i]);
   table_.collapse(c);
-  n_faces_ -= d == kNoCorner ? 1 : 2;
+  n_faces_ -= n_sides;
   --n_vertices_;
   vertices_[to].position = target;
   if (holds_[from] == kFixed) holds_[to] = kFixed;
-  for_boundary(to, [&](Corner half, std::uint32_t w) {
+  for_each_boundary_edge(to, [&](Corner half, std::uint32_t w) {
     const SymmetricMatrix boundary = boundary_quadric(edge(half));
     quadrics_[w] += boundary;
     quadric += boundary;
   });
   quadrics_[to] = quadric;
-  if (missing) {
-    const Corner at = left != kNoCorner ? left : right;
-    enqueue(at, BucketQueue::bucket_of(place(at).cost));
-  }
-  if (missing_d) {
-    const Corner at = left_d != kNoCorner ? left_d : right_d;
-    enqueue(at, BucketQueue::bucket_of(place(at).cost));
-  }
+  for (const Corner at : unqueued)
+    if (at != kNoCorner) enqueue(at, BucketQueue::bucket_of(place(at).cost));
 }
 
 /// Asks for the memory of the edges that come next.

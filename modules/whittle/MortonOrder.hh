@@ -19,7 +19,6 @@ namespace whittle {
 struct MortonOrder {
   std::vector<std::uint32_t> vertex;                    ///< new index to old
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in new indices
-  std::vector<std::uint32_t> face;                      ///< new index to old
 
   template <typename Real>
   explicit MortonOrder(const IndexedMeshT<Real>& mesh);
@@ -74,13 +73,8 @@ MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh) {
   for (const auto& t : mesh.triangles) ++start[smallest(t) + 1];
   for (std::size_t v = 1; v <= n; ++v) start[v] += start[v - 1];
   triangles.resize(mesh.triangles.size());
-  face.resize(mesh.triangles.size());
-  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    const auto& t = mesh.triangles[f];
-    const std::uint32_t at = start[smallest(t)]++;
-    triangles[at] = {place[t[0]], place[t[1]], place[t[2]]};
-    face[at] = f;
-  }
+  for (const auto& t : mesh.triangles)
+    triangles[start[smallest(t)]++] = {place[t[0]], place[t[1]], place[t[2]]};
 }
 
 }  // namespace whittle

@@ -9,7 +9,6 @@
 
 #include "whittle/CollapsePlan.hh"
 #include "whittle/IndexedMesh.hh"
-#include "whittle/MemorylessQuadric.hh"
 #include "whittle/Stages.hh"
 #include "whittle/Surface.hh"
 #include "whittle/execute.hh"
@@ -29,6 +28,16 @@ struct BulkOptions {
   SurfaceExtras extras;  ///< locks, tolerances
 };
 
+/// Whether a planner has `plan(mesh, extras, n_threads)` and so can do without a surface, as
+/// MemorylessQuadric; such a one is run once.
+template <typename Planner, typename Real, typename = void>
+struct plans_without_surface : std::false_type {};
+template <typename Planner, typename Real>
+struct plans_without_surface<Planner, Real,
+                             std::void_t<decltype(std::declval<const Planner&>().plan(
+                                 std::declval<const IndexedMeshT<Real>&>(), SurfaceExtras(), std::size_t{}))>>
+    : std::true_type {};
+
 /// What `bulk` makes of a mesh.
 template <typename Real>
 struct BulkResultT : ExecutedT<Real> {
@@ -46,7 +55,7 @@ BulkResultT<Real> bulk(const Planner& planner, const IndexedMeshT<Real>& mesh, B
   if (options.passes == 0) throw InvalidParameter("the number of passes must be at least 1");
   const std::size_t threads = options.threads ? options.threads : std::thread::hardware_concurrency();
   RepeatedPlan repeated;
-  if constexpr (std::is_same_v<Planner, MemorylessQuadric>) {
+  if constexpr (plans_without_surface<Planner, Real>::value) {
     repeated = {planner.plan(mesh, std::move(options.extras), threads), 1};
   } else {
     const SurfaceT<Real> surface(mesh, std::move(options.extras), threads);
