@@ -66,6 +66,7 @@ class Run {
   }
 
   int time_everything(const Store& store) {
+    tell_notes();
     begin(store);
     for (auto& experiment : results_.experiments) run_experiment(experiment, store);
     results_.complete = true;
@@ -78,6 +79,7 @@ class Run {
   }
 
   int take_pictures() {
+    tell_notes();
     for (auto& experiment : results_.experiments) {
       const Model& model = model_of(experiment);
       const Inspector inspector(model.mesh, results_.settings, experiment, line_.out);
@@ -122,6 +124,10 @@ class Run {
         experiment.sets.emplace_back().definition = definition;
       results_.experiments.push_back(std::move(experiment));
     }
+  }
+
+  /// Once nothing stands in the way of the run: a run that cannot be ends with its one line alone.
+  void tell_notes() const {
     for (const auto& note : results_.notes) std::cerr << "whittle-bench: " << note << "\n";
     for (const auto& note : model_.notes) std::cerr << "whittle-bench: " << note << "\n";
   }
