@@ -66,8 +66,8 @@ class Run {
   }
 
   int time_everything(const Store& store) {
-    tell_notes();
     begin(store);
+    tell_notes();
     for (auto& experiment : results_.experiments) run_experiment(experiment, store);
     results_.complete = true;
     store.save(results_);
