@@ -1,45 +1,18 @@
 #include "measure/Distance.hh"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <functional>
-#include <future>
 #include <thread>
 #include <vector>
 
 #include "measure/ClosestFace.hh"
 #include "measure/Surface.hh"
+#include "measure/blocks.hh"
 #include "whittle/errors.hh"
 
 namespace whittle::measure {
 
 namespace {
-
-/// The work is cut into blocks of this size whatever the number of threads, and the blocks' results are put
-/// together in order: so the result does not depend on the threads.
-constexpr std::size_t kBlock = 2048;
-
-/// Calls `work` with the begin and end of each block of 0..count-1, on several threads.
-/// \return the results in the blocks' order.
-template <typename Result>
-std::vector<Result> in_blocks(std::size_t count, unsigned threads,
-                              const std::function<Result(std::size_t, std::size_t)>& work) {
-  std::vector<Result> results((count + kBlock - 1) / kBlock);
-  std::atomic<std::size_t> next{0};
-  const auto take_blocks = [&] {
-    for (std::size_t block; (block = next++) < results.size();) {
-      results[block] = work(block * kBlock, std::min(count, (block + 1) * kBlock));
-    }
-  };
-  std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < std::min<std::size_t>(threads, results.size()); ++i) {
-    others.push_back(std::async(std::launch::async, take_blocks));
-  }
-  take_blocks();
-  for (auto& other : others) other.get();
-  return results;
-}
 
 struct Sums {
   double distance = 0, squared = 0, max_squared = 0;

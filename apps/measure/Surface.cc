@@ -27,10 +27,14 @@ Surface::Surface(const IndexedMesh& mesh) : mesh_(mesh) {
   }
 }
 
-Eigen::Vector3d Surface::sample(std::size_t i, std::size_t count) const {
+std::size_t Surface::sampled_face(std::size_t i, std::size_t count) const {
   const double area = (static_cast<double>(i) + 0.5) / static_cast<double>(count) * area_up_to_.back();
   const auto found = std::upper_bound(area_up_to_.begin(), area_up_to_.end() - 1, area);
-  const Corners f = face(static_cast<std::size_t>(found - area_up_to_.begin()));
+  return static_cast<std::size_t>(found - area_up_to_.begin());
+}
+
+Eigen::Vector3d Surface::sample(std::size_t i, std::size_t count) const {
+  const Corners f = face(sampled_face(i, count));
 
   // R2: multiples of 1/g and 1/g^2 modulo 1, with g^3 = g + 1.
   constexpr double kFirst = 0.75487766624669276, kSecond = 0.56984029099805327;

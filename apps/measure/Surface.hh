@@ -23,6 +23,9 @@ class Surface {
   std::size_t size() const { return faces_.size(); }
   Corners face(std::size_t i) const { return corners(mesh_, mesh_.triangles[faces_[i]]); }
 
+  /// The vertices of face i.
+  const IndexedMesh::Triangle& triangle(std::size_t i) const { return mesh_.triangles[faces_[i]]; }
+
   /// The mesh's points that belong to one of the faces.
   const std::vector<std::uint32_t>& vertices() const { return vertices_; }
   const Eigen::Vector3d& point(std::uint32_t vertex) const { return mesh_.points[vertex]; }
@@ -32,6 +35,9 @@ class Surface {
   /// the R2 low-discrepancy sequence. Random points would need some hundred times more samples for the same
   /// error.
   Eigen::Vector3d sample(std::size_t i, std::size_t count) const;
+
+  /// The face that sample i of `count` lies on.
+  std::size_t sampled_face(std::size_t i, std::size_t count) const;
 
  private:
   const IndexedMesh& mesh_;

@@ -1,0 +1,221 @@
+#include "attributes/transfer.hh"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "attributes/Stars.hh"
+#include "measure/triangle.hh"
+
+namespace whittle::attributes {
+namespace {
+
+using Triangle = IndexedMesh::Triangle;
+
+/// Shares of a triangle's corners in a point of it.
+std::array<double, 3> shares(const measure::Corners& t, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d normal = t.normal();
+  const double area = normal.squaredNorm();
+  if (!(area > 0)) return {1, 0, 0};
+  const double b = (p - t.a).cross(t.c - t.a).dot(normal) / area;
+  const double c = (t.b - t.a).cross(p - t.a).dot(normal) / area;
+  const double inside_b = std::clamp(b, 0.0, 1.0), inside_c = std::clamp(c, 0.0, 1.0 - inside_b);
+  return {1 - inside_b - inside_c, inside_b, inside_c};
+}
+
+/// Carries one attribute over.
+class Transfer {
+ public:
+  Transfer(const Attribute& in, const Decimation& d, const Stars& stars, const Members& members)
+      : in_(in), d_(d), stars_(stars), members_(members) {
+    out_ = {in.kind, in.name, in.components, in.bytes, {}, {}};
+  }
+
+  Attribute run() {
+    if (in_.per_vertex()) {
+      for (std::uint32_t w = 0; w < d_.after.points.size(); ++w) carry_vertex(w);
+    } else {
+      begin_corners();
+      for (std::uint32_t w = 0; w < d_.after.points.size(); ++w) carry_corners(w);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  /// The one vertex that became `w` and is still where it was, or nothing.
+  const std::uint32_t* unchanged(std::uint32_t w) const {
+    const auto [first, last] = members_.of(w);
+    return last - first == 1 && d_.before.points[*first] == d_.after.points[w] ? first : nullptr;
+  }
+
+  void copy(std::uint32_t value) {
+    out_.values.insert(out_.values.end(), in_.value(value), in_.value(value) + in_.components);
+  }
+
+  void carry_vertex(std::uint32_t w) {
+    if (const std::uint32_t* v = unchanged(w)) return copy(*v);
+    faces_ = stars_.around(members_.of(w));
+    if (faces_.empty()) return copy(*members_.of(w).first);
+    interpolate(d_.after.points[w], faces_);
+  }
+
+  void begin_corners() {
+    out_.corners.resize(d_.after.triangles.size());
+    after_ = Stars(d_.after);
+  }
+
+  void carry_corners(std::uint32_t w) {
+    known_.clear();
+    const std::uint32_t* same = unchanged(w);
+    if (!same) {
+      faces_ = stars_.around(members_.of(w));
+      split_at_seams();
+    }
+    for (const std::uint32_t g : after_.of(w)) {
+      const Triangle& t = d_.after.triangles[g];
+      const std::uint32_t value = same ? kept(*same, d_.face_origin[g]) : merged(w, d_.face_origin[g]);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (t[k] == w) out_.corners[g][k] = value;
+    }
+  }
+
+  /// The value that face `origin` has had at `v` all along.
+  std::uint32_t kept(std::uint32_t v, std::uint32_t origin) {
+    const Triangle& t = d_.before.triangles[origin];
+    const std::uint32_t value =
+        in_.corners[origin][static_cast<std::size_t>(std::find(t.begin(), t.end(), v) - t.begin())];
+    const auto [found, is_new] = known_.emplace(value, static_cast<std::uint32_t>(out_.n_values()));
+    if (is_new) copy(value);
+    return found->second;
+  }
+
+  /// The value that a face of the result has at `w`, where the face was `origin` before.
+  std::uint32_t merged(std::uint32_t w, std::uint32_t origin) {
+    const auto place = std::lower_bound(faces_.begin(), faces_.end(), origin) - faces_.begin();
+    const std::uint32_t patch = root(static_cast<std::uint32_t>(place));
+    const auto [found, is_new] = known_.emplace(patch, static_cast<std::uint32_t>(out_.n_values()));
+    if (is_new) {
+      patch_.clear();
+      for (std::uint32_t i = 0; i < faces_.size(); ++i)
+        if (root(i) == patch) patch_.push_back(faces_[i]);
+      interpolate(d_.after.points[w], patch_);
+    }
+    return found->second;
+  }
+
+  std::uint32_t root(std::uint32_t i) const {
+    while (patch_of_[i] != i) i = patch_of_[i];
+    return i;
+  }
+
+  /// Joins those of `faces_` that share an edge at whose ends they agree.
+  void split_at_seams() {
+    patch_of_.resize(faces_.size());
+    std::iota(patch_of_.begin(), patch_of_.end(), 0u);
+    edges_.clear();
+    for (std::uint32_t i = 0; i < faces_.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t f = faces_[i];
+        const Triangle& t = d_.before.triangles[f];
+        std::uint32_t a = t[k], b = t[(k + 1) % 3];
+        std::uint32_t at_a = in_.at(d_.before, f, k), at_b = in_.at(d_.before, f, (k + 1) % 3);
+        if (b < a) {
+          std::swap(a, b);
+          std::swap(at_a, at_b);
+        }
+        edges_.push_back({{a, b, at_a, at_b}, i});
+      }
+    std::sort(edges_.begin(), edges_.end());
+    for (std::size_t e = 1; e < edges_.size(); ++e) {
+      if (edges_[e].first != edges_[e - 1].first) continue;
+      const std::uint32_t a = root(edges_[e - 1].second), b = root(edges_[e].second);
+      patch_of_[std::max(a, b)] = std::min(a, b);
+    }
+  }
+
+  /// Adds the value at the point of these faces that is nearest to `p`.
+  void interpolate(const Eigen::Vector3d& p, const std::vector<std::uint32_t>& faces) {
+    double least = HUGE_VAL;
+    std::uint32_t nearest = faces.front();
+    Eigen::Vector3d at = p;
+    for (const std::uint32_t f : faces) {
+      const Eigen::Vector3d q =
+          measure::closest_point(p, measure::corners(d_.before, d_.before.triangles[f]));
+      const double distance = (q - p).squaredNorm();
+      if (!(distance < least)) continue;
+      least = distance;
+      nearest = f;
+      at = q;
+    }
+    const auto share = shares(measure::corners(d_.before, d_.before.triangles[nearest]), at);
+    std::array<double, 4> sum{};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < in_.components; ++i)
+        sum[i] += share[k] * static_cast<double>(in_.value(in_.at(d_.before, nearest, k))[i]);
+    if (in_.kind == Kind::normal) {
+      const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+      if (!(length > 0)) return copy(in_.at(d_.before, nearest, 0));
+      for (double& x : sum) x /= length;
+    }
+    for (std::size_t i = 0; i < in_.components; ++i) out_.values.push_back(static_cast<float>(sum[i]));
+  }
+
+  const Attribute& in_;
+  const Decimation& d_;
+  const Stars& stars_;
+  const Members& members_;
+  Stars after_;
+  Attribute out_;
+  std::vector<std::uint32_t> faces_;     // around the vertices that became the one in hand, ascending
+  std::vector<std::uint32_t> patch_of_;  // union-find over them
+  std::vector<std::uint32_t> patch_;
+  std::vector<std::pair<std::array<std::uint32_t, 4>, std::uint32_t>> edges_;
+  std::map<std::uint32_t, std::uint32_t> known_;  // new values at the vertex in hand, by old value or patch
+};
+
+}  // namespace
+
+Attributes transfer(const Attributes& attributes, const Decimation& decimation) {
+  Attributes out;
+  if (attributes.empty()) return out;
+  const Stars stars(decimation.before);
+  const Members members(decimation.vertex_map, decimation.after.points.size());
+  for (const Attribute& attribute : attributes)
+    out.push_back(Transfer(attribute, decimation, stars, members).run());
+  return out;
+}
+
+std::vector<std::uint8_t> seam_flags(const IndexedMesh& mesh, const Attributes& attributes) {
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  std::vector<std::uint8_t> flags(mesh.points.size(), 0);
+  for (const Attribute& attribute : attributes) {
+    if (attribute.kind != Kind::texture || attribute.per_vertex()) continue;
+    std::vector<std::uint32_t> seen(mesh.points.size(), kNone);
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = mesh.triangles[f][k], value = attribute.corners[f][k];
+        if (seen[v] == kNone) seen[v] = value;
+        if (seen[v] != value) flags[v] = kSeam;
+      }
+  }
+  return flags;
+}
+
+std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attributes& attributes) {
+  std::map<std::vector<std::uint32_t>, std::uint32_t> known;
+  std::vector<IndexedMesh::Triangle> out(mesh.triangles.size());
+  std::vector<std::uint32_t> key;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      key.assign(1, mesh.triangles[f][k]);
+      for (const Attribute& attribute : attributes)
+        if (!attribute.per_vertex()) key.push_back(attribute.corners[f][k]);
+      out[f][k] = known.emplace(key, static_cast<std::uint32_t>(known.size())).first->second;
+    }
+  return out;
+}
+
+}  // namespace whittle::attributes

@@ -1,0 +1,39 @@
+/// \file
+/// Attributes through a decimation.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "attributes/Attribute.hh"
+#include "whittle/IndexedMesh.hh"
+#include "whittle/Surface.hh"
+
+namespace whittle::attributes {
+
+/// A mesh before and after a decimation, whatever did it.
+struct Decimation {
+  const IndexedMesh& before;
+  const IndexedMesh& after;
+  const std::vector<std::uint32_t>& vertex_map;   ///< for each vertex before the one that it became
+  const std::vector<std::uint32_t>& face_origin;  ///< for each face after the one that it was
+};
+
+/// What the attributes are after a decimation.
+///
+/// A vertex that stands where it stood, and that nothing merged into, keeps its values. Any other gets the
+/// values at the point nearest to it on the faces around the vertices that became it, interpolated linearly;
+/// normals keep their length of one. On a seam that happens on each side for itself: a face of the result
+/// looks at those faces that hang together with the one it was, without crossing the seam.
+/// \pre the attributes fit the mesh before.
+Attributes transfer(const Attributes& attributes, const Decimation& decimation);
+
+/// For each vertex kSeam where its corners disagree about a texture coordinate, else 0. Normals and colours
+/// may have sharp edges, but moving those tears nothing apart.
+std::vector<std::uint8_t> seam_flags(const IndexedMesh& mesh, const Attributes& attributes);
+
+/// For each corner a number that tells apart the sets of values that the corners of a vertex have: two
+/// corners of one vertex have the same number where all attributes agree.
+std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attributes& attributes);
+
+}  // namespace whittle::attributes

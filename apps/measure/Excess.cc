@@ -1,0 +1,73 @@
+#include "measure/Excess.hh"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "measure/ClosestFace.hh"
+#include "measure/Surface.hh"
+#include "measure/blocks.hh"
+#include "whittle/errors.hh"
+
+namespace whittle::measure {
+namespace {
+
+struct Found {
+  std::vector<std::uint32_t> vertices;
+  double max_squared = 0;
+};
+
+Found far_vertices(const Surface& from, const ClosestFace& to, double bound, const DistanceOptions& options) {
+  const auto seen = [&](Found& found, const Eigen::Vector3d& point) {
+    const double squared = to.closest(point).squared_distance;
+    found.max_squared = std::max(found.max_squared, squared);
+    return std::sqrt(squared) > bound;
+  };
+  auto blocks = in_blocks<Found>(options.samples, options.threads, [&](std::size_t begin, std::size_t end) {
+    Found found;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!seen(found, from.sample(i, options.samples))) continue;
+      const auto& face = from.triangle(from.sampled_face(i, options.samples));
+      found.vertices.insert(found.vertices.end(), face.begin(), face.end());
+    }
+    return found;
+  });
+  const auto& vertices = from.vertices();
+  const auto at_vertices =
+      in_blocks<Found>(vertices.size(), options.threads, [&](std::size_t begin, std::size_t end) {
+        Found found;
+        for (std::size_t i = begin; i < end; ++i)
+          if (seen(found, from.point(vertices[i]))) found.vertices.push_back(vertices[i]);
+        return found;
+      });
+  blocks.insert(blocks.end(), at_vertices.begin(), at_vertices.end());
+
+  Found all;
+  for (const Found& block : blocks) {
+    all.vertices.insert(all.vertices.end(), block.vertices.begin(), block.vertices.end());
+    all.max_squared = std::max(all.max_squared, block.max_squared);
+  }
+  std::sort(all.vertices.begin(), all.vertices.end());
+  all.vertices.erase(std::unique(all.vertices.begin(), all.vertices.end()), all.vertices.end());
+  return all;
+}
+
+}  // namespace
+
+Excess excess(const IndexedMesh& original, const IndexedMesh& simplified, double bound,
+              const DistanceOptions& options) {
+  if (options.samples == 0) throw InvalidParameter("the number of samples must be positive");
+  if (!(bound >= 0)) throw InvalidParameter("the bound of a distance must not be negative");
+  DistanceOptions resolved = options;
+  if (resolved.threads == 0) resolved.threads = std::max(1u, std::thread::hardware_concurrency());
+
+  const Surface original_surface(original), simplified_surface(simplified);
+  const ClosestFace on_original(original_surface, resolved.threads);
+  const ClosestFace on_simplified(simplified_surface, resolved.threads);
+  Found forward = far_vertices(original_surface, on_simplified, bound, resolved);
+  Found backward = far_vertices(simplified_surface, on_original, bound, resolved);
+  return {std::move(forward.vertices), std::move(backward.vertices),
+          std::sqrt(std::max(forward.max_squared, backward.max_squared))};
+}
+
+}  // namespace whittle::measure
