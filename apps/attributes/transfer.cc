@@ -205,6 +205,8 @@ std::vector<std::uint8_t> seam_flags(const IndexedMesh& mesh, const Attributes& 
 }
 
 std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attributes& attributes) {
+  if (std::all_of(attributes.begin(), attributes.end(), [](const auto& a) { return a.per_vertex(); }))
+    return {};
   std::map<std::vector<std::uint32_t>, std::uint32_t> known;
   std::vector<IndexedMesh::Triangle> out(mesh.triangles.size());
   std::vector<std::uint32_t> key;
@@ -215,6 +217,28 @@ std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attribu
         if (!attribute.per_vertex()) key.push_back(attribute.corners[f][k]);
       out[f][k] = known.emplace(key, static_cast<std::uint32_t>(known.size())).first->second;
     }
+  return out;
+}
+
+Attributes rewedged(const Attributes& attributes, const std::vector<Triangle>& before,
+                    const std::vector<Triangle>& after) {
+  std::vector<std::pair<std::size_t, std::size_t>> corner_of;  // some corner of each wedge
+  for (std::size_t f = 0; f < before.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (before[f][k] >= corner_of.size()) corner_of.resize(before[f][k] + std::size_t{1});
+      corner_of[before[f][k]] = {f, k};
+    }
+  Attributes out = attributes;
+  for (Attribute& attribute : out) {
+    if (attribute.per_vertex()) continue;
+    std::vector<Triangle> corners(after.size());
+    for (std::size_t f = 0; f < after.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [old_face, old_corner] = corner_of[after[f][k]];
+        corners[f][k] = attribute.corners[old_face][old_corner];
+      }
+    attribute.corners = std::move(corners);
+  }
   return out;
 }
 

@@ -33,7 +33,13 @@ Attributes transfer(const Attributes& attributes, const Decimation& decimation);
 std::vector<std::uint8_t> seam_flags(const IndexedMesh& mesh, const Attributes& attributes);
 
 /// For each corner a number that tells apart the sets of values that the corners of a vertex have: two
-/// corners of one vertex have the same number where all attributes agree.
+/// corners of one vertex have the same number where all attributes agree. Empty where no attribute is of
+/// corners.
 std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attributes& attributes);
+
+/// The attributes after edge flips, which leave the vertices but give each corner a wedge that was another's.
+/// \param before, after  wedges of each corner before and after the flips.
+Attributes rewedged(const Attributes& attributes, const std::vector<IndexedMesh::Triangle>& before,
+                    const std::vector<IndexedMesh::Triangle>& after);
 
 }  // namespace whittle::attributes

@@ -8,6 +8,7 @@
 #include "whittle/execute.hh"
 
 namespace whittle::recipe {
+
 std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh, const Floor& floor) {
   std::size_t faces = mesh.triangles.size(), vertices = mesh.points.size(), n = 0;
   for (const Collapse& collapse : plan.collapses) {
@@ -19,18 +20,17 @@ std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh
   return n;
 }
 
-Plan make_plan(const IndexedMesh& mesh, const Planner& planner, const Floor& floor, std::size_t max_passes,
-               const GoOn& go_on) {
-  if (go_on && !go_on(mesh.triangles.size())) throw Cancelled();
+Plan make_plan(const IndexedMesh& mesh, const SurfaceExtras& extras, const Job& job, std::size_t max_passes) {
+  if (job.go_on && !job.go_on(mesh.triangles.size())) throw Cancelled();
   Plan plan;
   Stopwatch watch;
-  const SurfaceT<double> surface(mesh, {}, std::thread::hardware_concurrency());
+  const SurfaceT<double> surface(mesh, extras, std::thread::hardware_concurrency());
   const auto enough = [&](const auto& stages) {
-    if (go_on && !go_on(stages.n_faces())) throw Cancelled();
-    return floor.reached(stages.n_faces(), stages.n_vertices());
+    if (job.go_on && !job.go_on(stages.n_faces())) throw Cancelled();
+    return job.floor.reached(stages.n_faces(), stages.n_vertices());
   };
   auto repeated =
-      std::visit([&](const auto& p) { return plan_passes(p, surface, max_passes, enough); }, planner);
+      std::visit([&](const auto& p) { return plan_passes(p, surface, max_passes, enough); }, *job.planner);
   plan.collapses = std::move(repeated.plan);
   plan.passes = repeated.passes;
   plan.seconds = watch.lap();

@@ -4,30 +4,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "recipe/Recipe.hh"
+#include "recipe/Stage.hh"
 #include "recipe/planner.hh"
 #include "whittle/CollapsePlan.hh"
 #include "whittle/IndexedMesh.hh"
+#include "whittle/Surface.hh"
 
 namespace whittle::recipe {
-
-/// Stop when the mesh has no more than this; 0 for no such bound.
-struct Floor {
-  std::size_t faces = 0, vertices = 0;
-  bool any() const { return faces > 0 || vertices > 0; }
-  bool reached(std::size_t n_faces, std::size_t n_vertices) const {
-    return (faces > 0 && n_faces <= faces) || (vertices > 0 && n_vertices <= vertices);
-  }
-  bool reached(const IndexedMesh& mesh) const { return reached(mesh.triangles.size(), mesh.points.size()); }
-};
-
-/// A priority module with the constraints that joined it.
-struct Stage {
-  Spec module;
-  std::vector<Spec> constraints;
-};
 
 /// A plan of one or more passes.
 struct Plan {
@@ -39,9 +26,19 @@ struct Plan {
 /// Asked now and then with the number of faces left; false ends the work with Cancelled. Empty: never ends.
 using GoOn = std::function<bool(std::size_t faces)>;
 
+/// How a stage is to be run.
+struct Job {
+  const Stage& stage;
+  Driver driver;
+  const Planner* planner;  ///< null for a stock module
+  Scale scale;
+  Floor floor;
+  std::size_t max_passes = 1;
+  GoOn go_on;
+};
+
 /// Plans up to `max_passes` passes, fewer where the floor is reached or a pass changes nothing.
-Plan make_plan(const IndexedMesh& mesh, const Planner& planner, const Floor& floor, std::size_t max_passes,
-               const GoOn& go_on = {});
+Plan make_plan(const IndexedMesh& mesh, const SurfaceExtras& extras, const Job& job, std::size_t max_passes);
 
 /// What became of a mesh.
 struct Pass {
@@ -63,12 +60,14 @@ Pass bulk_pass(const IndexedMesh& mesh, const CollapsePlan& plan, const Floor& f
 
 /// Executes a plan through an OpenMesh decimater, under the stage's constraints; without a plan, the stage's
 /// stock module.
-Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const CollapsePlan* plan,
-                   const Scale& scale, const Floor& floor, const GoOn& go_on = {});
+Pass openmesh_pass(const IndexedMesh& mesh, const SurfaceExtras& extras, const Job& job,
+                   const CollapsePlan* plan);
 
 /// The Delaunay retriangulation of a mesh by edge flips. Faces that OpenMesh cannot take are counted in
 /// `refused_faces`.
+/// \param wedges  for each corner a number; edges across which the numbers differ stay, and the numbers go
+///                with the corners. Empty: no such edges.
 IndexedMesh retriangulate(const IndexedMesh& mesh, double max_dihedral, DelaunayFlipsReport& report,
-                          std::size_t& refused_faces);
+                          std::size_t& refused_faces, std::vector<IndexedMesh::Triangle>& wedges);
 
 }  // namespace whittle::recipe

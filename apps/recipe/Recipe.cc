@@ -1,71 +1,20 @@
 #include "recipe/Recipe.hh"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
+#include "attributes/transfer.hh"
+#include "measure/Excess.hh"
 #include "recipe/Catalogue.hh"
-#include "recipe/passes.hh"
+#include "recipe/run_stages.hh"
 
 namespace whittle::recipe {
 namespace {
 
-/// Enough for any threshold to come to rest; an erosion that goes on longer is not what a user wants.
-constexpr std::size_t kPassesToTarget = 200;
-
 constexpr std::pair<Driver, const char*> kDrivers[] = {
     {Driver::automatic, "auto"}, {Driver::bulk, "bulk"},           {Driver::sweep, "sweep"},
     {Driver::lazy, "lazy"},      {Driver::decimater, "decimater"}, {Driver::mc, "mc"}};
-
-std::vector<Stage> group(const std::vector<Spec>& modules) {
-  std::vector<Stage> stages;
-  for (const Spec& spec : modules) {
-    if (find_module(spec.name).role != Role::constraint)
-      stages.push_back({spec, {}});
-    else if (stages.empty())
-      throw RecipeError("module '" + spec.name +
-                        "' only constrains; a module that decimates must stand before it");
-    else
-      stages.back().constraints.push_back(spec);
-  }
-  if (stages.empty()) throw RecipeError("no module given, and no target that the default, mq, could go to");
-  return stages;
-}
-
-Driver choose_driver(Driver wanted, const Stage& stage) {
-  const bool planned = find_module(stage.module.name).role == Role::planned;
-  if (wanted == Driver::automatic)
-    return !planned ? Driver::lazy : stage.constraints.empty() ? Driver::bulk : Driver::sweep;
-  if (!planned && (wanted == Driver::bulk || wanted == Driver::sweep))
-    throw RecipeError("driver '" + to_string(wanted) + "' cannot run module '" + stage.module.name +
-                      "', which has no plan; use lazy, decimater or mc");
-  if (wanted == Driver::bulk && !stage.constraints.empty())
-    throw RecipeError("driver 'bulk' cannot run module '" + stage.constraints.front().name +
-                      "', which needs an OpenMesh mesh; use sweep, lazy, decimater or mc");
-  return wanted;
-}
-
-Floor make_floor(const Target& target, const IndexedMesh& mesh) {
-  Floor floor;
-  if (target.ratio)
-    floor.faces = std::max<std::size_t>(
-        1, static_cast<std::size_t>(*target.ratio * static_cast<double>(mesh.triangles.size())));
-  if (target.faces) floor.faces = *target.faces;
-  if (target.vertices) floor.vertices = *target.vertices;
-  return floor;
-}
-
-std::string shortest(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
-std::string stage_text(const Stage& stage) {
-  std::string text = stage.module.text();
-  for (const Spec& constraint : stage.constraints) text += " + " + constraint.text();
-  return text;
-}
 
 /// Faces that point backwards, each against itself in the input.
 std::size_t count_flips(const IndexedMesh& before, const IndexedMesh& after,
@@ -81,57 +30,52 @@ std::size_t count_flips(const IndexedMesh& before, const IndexedMesh& after,
   return flips;
 }
 
-/// What a stage asks whether to go on.
-GoOn watched(const Monitor& monitor, std::size_t stage, std::size_t stages) {
-  if (!monitor) return {};
-  return [=](std::size_t faces) { return monitor({stage, stages, faces}); };
+/// Flags and tolerances for a run: those given, and the seams of the attributes.
+SurfaceExtras extras(const IndexedMesh& mesh, const Givens& givens) {
+  SurfaceExtras extras{givens.flags, givens.tolerance, {}};
+  if (!givens.attributes) return extras;
+  const auto seams = attributes::seam_flags(mesh, *givens.attributes);
+  extras.flags.resize(mesh.points.size(), 0);
+  for (std::size_t v = 0; v < seams.size(); ++v) extras.flags[v] |= seams[v];
+  return extras;
 }
 
-/// How a stage is to be run.
-struct Ready {
-  Driver driver;
-  std::optional<Planner> planner;  ///< none for stock modules
-  std::size_t max_passes = 1;
-};
+std::size_t count_held(const SurfaceExtras& extras) {
+  std::size_t held = 0;
+  for (std::size_t v = 0; v < std::max(extras.flags.size(), extras.tolerance.size()); ++v)
+    held += (v < extras.flags.size() && extras.flags[v] != 0) ||
+            (v < extras.tolerance.size() && extras.tolerance[v] == 0);
+  return held;
+}
 
-/// Settles driver, planner and threshold of a stage; a threshold that was found is added to its module.
-Ready prepare(Stage& stage, const IndexedMesh& mesh, const Recipe& recipe, const Scale& scale,
-              const Floor& floor, const GoOn& go_on) {
-  Ready ready{choose_driver(recipe.driver, stage), std::nullopt, 1};
-  if (find_module(stage.module.name).role != Role::planned) return ready;
-  ready.planner = make_planner(stage.module, scale);
-  set_target(*ready.planner, floor.faces, floor.vertices);
-  ready.max_passes = static_cast<std::size_t>(
-      stage.module.number("passes").value_or(floor.any() ? double(kPassesToTarget) : 1.0));
-  const std::string key = threshold_key(stage.module);
-  if (floor.any() && !key.empty() && !has_threshold(stage.module)) {
-    const double threshold =
-        find_threshold(mesh, ready.driver, stage, *ready.planner, scale, floor, ready.max_passes, go_on);
-    ready.planner = with_threshold(*ready.planner, threshold);
-    stage.module.parameters.emplace_back(key, shortest(threshold));
+Work make_work(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
+  check(recipe);
+  return {mesh,
+          group(recipe.modules),
+          recipe.driver,
+          measure_scale(mesh),
+          make_floor(recipe.target, mesh),
+          extras(mesh, givens),
+          monitor};
+}
+
+/// Retriangulates the result, unless that breaks the bound.
+void retriangulate(const IndexedMesh& input, const Recipe& recipe, std::optional<double> bound,
+                   Result& result) {
+  std::vector<IndexedMesh::Triangle> before = attributes::wedges(result.mesh, result.attributes);
+  std::vector<IndexedMesh::Triangle> after = before;
+  IndexedMesh mesh =
+      retriangulate(result.mesh, *recipe.delaunay, result.delaunay, result.refused_faces, after);
+  if (bound) {
+    const double distance = measure::excess(input, mesh, *bound).max;
+    if (distance > *bound && distance > *result.distance) {
+      result.retriangulation_dropped = true;
+      return;
+    }
+    result.distance = distance;
   }
-  return ready;
-}
-
-/// Runs one stage on `sum.mesh` and adds what came of it.
-void run_stage(Stage stage, const Recipe& recipe, const Scale& scale, const Floor& floor, const GoOn& go_on,
-               Passes& sum, Result& result) {
-  StageResult report;
-  report.faces_before = sum.sum.mesh.triangles.size();
-  const Ready ready = prepare(stage, sum.sum.mesh, recipe, scale, floor, go_on);
-  report.driver = ready.driver;
-  Passes passes = run_passes(sum.sum.mesh, ready.driver, stage, ready.planner ? &*ready.planner : nullptr,
-                             scale, floor, ready.max_passes, go_on);
-  report.module = stage_text(stage);
-  report.passes = passes.count;
-  report.faces_after = passes.sum.mesh.triangles.size();
-  report.record = passes.sum.record;
-  report.collapses = passes.sum.collapses;
-  report.refused_by_decimater = passes.sum.refused;
-  report.plan_seconds = passes.sum.plan_seconds;
-  report.execute_seconds = passes.sum.execute_seconds;
-  result.stages.push_back(report);
-  append(sum.sum, std::move(passes.sum));
+  result.attributes = attributes::rewedged(result.attributes, before, after);
+  result.mesh = std::move(mesh);
 }
 
 }  // namespace
@@ -169,10 +113,11 @@ Scale measure_scale(const IndexedMesh& mesh) {
 }
 
 void check(const Recipe& recipe) {
+  const bool has_end = recipe.target.any() || recipe.max_distance;
   for (const Stage& stage : group(recipe.modules)) {
     choose_driver(recipe.driver, stage);
-    if (find_module(stage.module.name).role == Role::planned) make_planner(stage.module, {1, 1});
-    if (!has_threshold(stage.module) && !has_default_threshold(stage.module) && !recipe.target.any())
+    if (stage.is_planned()) make_planner(stage.module, {1, 1});
+    if (!has_threshold(stage.module) && !has_default_threshold(stage.module) && !has_end)
       throw RecipeError(
           "module '" + stage.module.name + "' needs " +
           (threshold_key(stage.module).empty() ? "" : threshold_key(stage.module) + "=... or ") + "a target");
@@ -183,36 +128,45 @@ void check(const Recipe& recipe) {
     throw RecipeError("the angle of the Delaunay retriangulation must lie between 0 and 180 degrees");
 }
 
-Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor) {
-  check(recipe);
-  const Scale scale = measure_scale(mesh);
-  const Floor floor = make_floor(recipe.target, mesh);
+Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
+  const Work work = make_work(mesh, recipe, monitor, givens);
   Result result;
-  Passes sum = no_passes(mesh);
-  const std::vector<Stage> stages = group(recipe.modules);
-  for (std::size_t i = 0; i < stages.size(); ++i)
-    run_stage(stages[i], recipe, scale, floor, watched(monitor, i, stages.size()), sum, result);
-  result.flipped_faces = count_flips(mesh, sum.sum.mesh, sum.sum.face_origin);
-  result.refused_faces = sum.sum.refused_faces;
-  result.mesh = std::move(sum.sum.mesh);
-  if (recipe.delaunay)
-    result.mesh = retriangulate(result.mesh, *recipe.delaunay, result.delaunay, result.refused_faces);
-  result.vertex_map = std::move(sum.sum.vertex_map);
-  result.target_reached = !floor.any() || floor.reached(result.mesh);
+  result.held = count_held(work.extras);
+  std::optional<double> bound;
+  Ran ran;
+  if (recipe.max_distance) {
+    bound = recipe.max_distance->in(work.scale);
+    BoundedRan bounded = run_bounded(work, *bound);
+    result.distance = bounded.distance;
+    result.bound_held = bounded.held;
+    result.held_by_bound = bounded.held_vertices;
+    result.stopped_by_bound = bounded.stopped;
+    ran = std::move(bounded);
+  } else {
+    ran = run_stages(work);
+  }
+  result.stages = std::move(ran.stages);
+  result.flipped_faces = count_flips(mesh, ran.sum.mesh, ran.sum.face_origin);
+  result.refused_faces = ran.sum.refused_faces;
+  if (givens.attributes)
+    result.attributes = attributes::transfer(*givens.attributes,
+                                             {mesh, ran.sum.mesh, ran.sum.vertex_map, ran.sum.face_origin});
+  result.mesh = std::move(ran.sum.mesh);
+  if (recipe.delaunay) retriangulate(mesh, recipe, bound, result);
+  result.vertex_map = std::move(ran.sum.vertex_map);
+  result.target_reached = !work.floor.any() || work.floor.reached(result.mesh);
   return result;
 }
 
-CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor) {
-  check(recipe);
-  const Scale scale = measure_scale(mesh);
-  const Floor floor = make_floor(recipe.target, mesh);
-  std::vector<Stage> stages = group(recipe.modules);
-  const GoOn go_on = watched(monitor, 0, stages.size());
-  const Ready ready = prepare(stages.front(), mesh, recipe, scale, floor, go_on);
-  if (!ready.planner || floor.reached(mesh)) return {{}, {0}, {}};
-  const bool at_once = stages.front().constraints.empty();
-  CollapsePlan plan = make_plan(mesh, *ready.planner, floor, at_once ? ready.max_passes : 1, go_on).collapses;
-  plan.collapses.resize(collapses_to_floor(plan, mesh, floor));
+CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor,
+                  const Givens& givens) {
+  const Work work = make_work(mesh, recipe, monitor, givens);
+  const ReadyStage ready = prepare(work, 0, mesh, work.extras);
+  if (!ready.planner || work.floor.reached(mesh)) return {{}, {0}, {}};
+  const bool at_once = ready.stage.constraints.empty();
+  CollapsePlan plan =
+      make_plan(mesh, work.extras, ready.job(work, 0), at_once ? ready.max_passes : 1).collapses;
+  plan.collapses.resize(collapses_to_floor(plan, mesh, work.floor));
   return plan;
 }
 

@@ -12,10 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "attributes/Attribute.hh"
 #include "recipe/Spec.hh"
 #include "whittle/CollapsePlan.hh"
 #include "whittle/DelaunayFlips.hh"
 #include "whittle/IndexedMesh.hh"
+#include "whittle/Surface.hh"
 
 namespace whittle::recipe {
 
@@ -38,6 +40,10 @@ struct Target {
 struct Recipe {
   std::vector<Spec> modules;  ///< in order; stock binary modules constrain the stage before them
   Target target;
+  /// A bound on the two-sided distance to the input, sampled as measure::distance does. It holds for every
+  /// module; where the target cannot be reached within it, the target is missed. A module without threshold
+  /// or target goes as far as the bound allows.
+  std::optional<Length> max_distance;
   Driver driver = Driver::automatic;
   /// Retriangulate the result by Delaunay flips of edges no sharper than so many degrees, 0..180 (Paper 1,
   /// the end of every algorithm). Without a value: leave it.
@@ -59,13 +65,27 @@ struct StageResult {
 
 struct Result {
   IndexedMesh mesh;
+  attributes::Attributes attributes;  ///< of `mesh`, where some were given
   std::vector<StageResult> stages;
   std::vector<std::uint32_t> vertex_map;  ///< for each input vertex the output vertex that it became
-  DelaunayFlipsReport delaunay;           ///< of the retriangulation, if there was one
+  std::optional<double> distance;  ///< largest distance to the input, model units, where there was a bound
+  bool bound_held = true;          ///< false: faces that OpenMesh could not take are missing, and lie too far
+  std::size_t held_by_bound = 0;   ///< input vertices that were kept in place for the bound's sake
+  std::size_t held = 0;            ///< input vertices that the givens keep in place
+  bool stopped_by_bound = false;   ///< going on would have broken the bound
+  bool retriangulation_dropped = false;  ///< it would have broken the bound
+  DelaunayFlipsReport delaunay;          ///< of the retriangulation, if there was one
   std::size_t flipped_faces = 0;  ///< faces turned by more than 90 degrees against their own original normal,
                                   ///< before the retriangulation
   std::size_t refused_faces = 0;  ///< input faces that OpenMesh could not take (non-manifold), left out
-  bool target_reached = true;     ///< false: no more legal collapses within the thresholds
+  bool target_reached = true;     ///< false: see reasons()
+};
+
+/// What a run respects besides the recipe; every part may be empty.
+struct Givens {
+  std::vector<std::uint8_t> flags;  ///< for each vertex: kLocked, kFeature or kSeam keep it in place
+  std::vector<float> tolerance;     ///< for each vertex a factor of the thresholds, see SurfaceExtras
+  const attributes::Attributes* attributes = nullptr;  ///< to be carried over; seams of texture stay in place
 };
 
 /// The sizes that the relative lengths of a recipe refer to.
@@ -88,18 +108,26 @@ class Cancelled : public std::exception {
 
 /// Finds what `run` would object to, without a mesh.
 /// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a module, neither
-/// threshold
-///                     nor target, a ratio outside of (0, 1), an angle outside of [0, 180].
+///                     threshold nor target nor bound, a ratio outside of (0, 1), an angle outside of
+///                     [0, 180].
 void check(const Recipe& recipe);
 
 /// Runs a recipe. The input is not changed. A target without a threshold makes the stage search for the
-/// threshold. \throw RecipeError  as check(). \throw InvalidMesh  an index out of range, a coordinate that is
-/// not finite. \throw Cancelled  the monitor said so.
-Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor = {});
+/// threshold.
+/// \throw RecipeError  as check(). \throw InvalidMesh  an index out of range, a coordinate that is not
+/// finite. \throw InvalidParameter  givens of another size than the mesh. \throw Cancelled  the monitor said
+/// so.
+Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor = {},
+           const Givens& givens = {});
 
 /// What the first stage would do, before anything is executed: the collapses that `run` would carry out, or
-/// offer to a driver with constraints, on the input. Empty for a stock module, which has no plan.
+/// offer to a driver with constraints, on the input. Empty for a stock module, which has no plan. A bound is
+/// not looked at.
 /// \throw  as run().
-CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor = {});
+CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor = {},
+                  const Givens& givens = {});
+
+/// Why a run could go no further, in a few words each; empty where the target was reached.
+std::vector<std::string> reasons(const Recipe& recipe, const Result& result);
 
 }  // namespace whittle::recipe

@@ -24,6 +24,11 @@ std::string shortest(double value) {
   return error == std::errc() ? std::string(buffer, end) : std::string("?");
 }
 
+void check_unit(const std::string& where, const std::string& unit) {
+  if (!unit.empty() && unit != "e" && unit != "%")
+    throw RecipeError(where + ": unknown unit '" + unit + "'; lengths are 0.0012, 0.8e (mean edges) or 0.5%");
+}
+
 void check_value(const std::string& module, const Key& key, const std::string& value) {
   const std::string where = "module '" + module + "': " + key.name + "=" + value;
   if (key.kind == KeyKind::choice) {
@@ -36,9 +41,7 @@ void check_value(const std::string& module, const Key& key, const std::string& v
   if (!number) throw RecipeError(where + " is not a number");
   const auto& [amount, unit] = *number;
   if (key.kind == KeyKind::length) {
-    if (!unit.empty() && unit != "e" && unit != "%")
-      throw RecipeError(where + ": unknown unit '" + unit +
-                        "'; lengths are 0.0012, 0.8e (mean edges) or 0.5%");
+    check_unit(where, unit);
   } else if (!unit.empty()) {
     throw RecipeError(where + " is not a plain number");
   }
@@ -71,9 +74,25 @@ std::optional<double> Spec::length(const std::string& key, const Scale& scale) c
   const std::string* value = find(key);
   if (!value) return std::nullopt;
   const auto [amount, unit] = split_number(*value).value();
+  return Length{amount, unit}.in(scale);
+}
+
+double Length::in(const Scale& scale) const {
   if (unit == "e") return amount * scale.mean_edge;
   if (unit == "%") return amount / 100 * scale.diagonal;
   return amount;
+}
+
+std::string Length::text() const {
+  return shortest(amount) + unit;
+}
+
+Length parse_length(const std::string& text) {
+  const auto number = split_number(text);
+  if (!number) throw RecipeError("'" + text + "' is not a length");
+  check_unit("'" + text + "'", number->second);
+  if (number->first < 0) throw RecipeError("'" + text + "' is negative");
+  return {number->first, number->second};
 }
 
 std::string Spec::text() const {

@@ -23,6 +23,18 @@ struct Scale {
   double diagonal = 0;
 };
 
+/// A length as people write it: `0.0012` in model units, `0.8e` in mean edges, `0.5%` of the diagonal.
+struct Length {
+  double amount = 0;
+  std::string unit;  ///< "", "e" or "%"
+
+  double in(const Scale& scale) const;  ///< in model units
+  std::string text() const;
+};
+
+/// \throw RecipeError  no number, not finite, negative, or another unit.
+Length parse_length(const std::string& text);
+
 /// A parsed `name[:key=value,...]`, e.g. `ivdd:distance=0.8e`.
 struct Spec {
   std::string name;

@@ -8,7 +8,6 @@
 #include <OpenMesh/Tools/Decimater/ModIndependentSetsT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalDeviationT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
-#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <OpenMesh/Tools/Decimater/ModRoundnessT.hh>
 #include <OpenMesh/Tools/Decimater/Observer.hh>
 #include <algorithm>
@@ -21,6 +20,7 @@
 #include "recipe/Stopwatch.hh"
 #include "whittle/DelaunayFlips.hh"
 #include "whittle/LazyDecimaterT.hh"
+#include "whittle/ModGuardedQuadricT.hh"
 #include "whittle/ModPlannedT.hh"
 #include "whittle/SweepDecimaterT.hh"
 
@@ -28,7 +28,10 @@ namespace whittle::recipe {
 namespace {
 
 namespace om = OpenMesh::Decimater;
-using Mesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
+struct Traits : OpenMesh::DefaultTraitsDouble {
+  using TexCoord1D = double;  // holds the number of a wedge exactly
+};
+using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
 /// OpenMesh writes warnings to its own streams; the programs say what matters themselves, once.
 class Silence {
@@ -89,10 +92,14 @@ class ModGivenPlanT : public ModPlannedT<MeshT, GivenPlan> {
 
 /// Adds a stock module, with the defaults that the catalogue names.
 template <typename Decimater>
-void add_stock(Decimater& decimater, const Spec& spec, const Scale& scale) {
+void add_stock(Decimater& decimater, const Spec& spec, const Scale& scale,
+               OpenMesh::VPropHandleT<float> weight = {}) {
   if (spec.name == "quadric") {
-    auto& module = add<om::ModQuadricT<Mesh>>(decimater);
+    auto& module = add<ModGuardedQuadricT<Mesh>>(decimater);
     if (const auto error = spec.number("max-err")) module.set_max_err(*error, false);
+    if (const auto weight = spec.number("boundary-weight")) module.set_boundary_weight(*weight);
+    if (const auto min_cos = spec.number("guard")) module.set_flip_guard(*min_cos);
+    module.set_weight(weight);
   } else if (spec.name == "normal-flipping") {
     add<om::ModNormalFlippingT<Mesh>>(decimater).set_max_normal_deviation(spec.number("angle").value_or(90));
   } else if (spec.name == "normal-deviation") {
@@ -136,6 +143,28 @@ void load(const IndexedMesh& in, Loaded& out) {
   out.mesh.request_face_status();
   out.mesh.request_face_normals();  // the stock normal modules complain where they are missing
   out.mesh.update_face_normals();
+}
+
+/// A threshold that is f times as large lets errors count 1 / f^2 as much. Locked vertices need no weight.
+OpenMesh::VPropHandleT<float> add_weights(const SurfaceExtras& extras, Mesh& mesh) {
+  OpenMesh::VPropHandleT<float> weight;
+  if (extras.tolerance.empty()) return weight;
+  mesh.add_property(weight);
+  for (const auto v : mesh.vertices()) {
+    const float tolerance = extras.tolerance[static_cast<std::size_t>(v.idx())];
+    mesh.property(weight, v) = tolerance > 0 ? 1 / (tolerance * tolerance) : 1.0f;
+  }
+  return weight;
+}
+
+/// Locks what must stay where it is.
+void hold(const SurfaceExtras& extras, Mesh& mesh) {
+  for (const auto v : mesh.vertices()) {
+    const auto i = static_cast<std::size_t>(v.idx());
+    const bool is_held = (!extras.flags.empty() && extras.flags[i] != 0) ||
+                         (!extras.tolerance.empty() && extras.tolerance[i] == 0);
+    if (is_held) mesh.status(v).set_locked(true);
+  }
 }
 
 /// The living vertices and faces in their old order.
@@ -197,55 +226,75 @@ void decimate(om::McDecimaterT<Mesh>& decimater, const Mesh& mesh, const Floor& 
 }
 
 template <typename Decimater>
-Pass drive(const IndexedMesh& in, const Stage& stage, const CollapsePlan* plan, const Scale& scale,
-           const Floor& floor, const GoOn& go_on) {
+Pass drive(const IndexedMesh& in, const SurfaceExtras& extras, const Job& job, const CollapsePlan* plan) {
   const Silence silence;
   Pass pass;
   Loaded loaded;
   load(in, loaded);
+  hold(extras, loaded.mesh);
   pass.refused_faces = loaded.refused_faces;
 
   Decimater decimater(loaded.mesh);
   if (plan)
     add<ModGivenPlanT<Mesh>>(decimater).set_planner({plan});
   else
-    add_stock(decimater, stage.module, scale);
-  for (const Spec& constraint : stage.constraints) add_stock(decimater, constraint, scale);
+    add_stock(decimater, job.stage.module, job.scale, add_weights(extras, loaded.mesh));
+  for (const Spec& constraint : job.stage.constraints) add_stock(decimater, constraint, job.scale);
   const auto& record = add<ModRecordT<Mesh>>(decimater);
 
-  Halt halt(in.triangles.size(), go_on);
+  Halt halt(in.triangles.size(), job.go_on);
   decimater.set_observer(&halt);
   Stopwatch watch;
   decimater.initialize();
-  decimate(decimater, loaded.mesh, floor, halt);
+  decimate(decimater, loaded.mesh, job.floor, halt);
   if (halt.abort()) throw Cancelled();
   pass.execute_seconds = watch.lap();
 
   unload(loaded, record.collapses, pass);
   pass.collapses = record.collapses.size();
-  if (plan && !floor.reached(pass.mesh)) pass.refused = plan->collapses.size() - pass.collapses;
+  if (plan && !job.floor.reached(pass.mesh)) pass.refused = plan->collapses.size() - pass.collapses;
   return pass;
 }
 
 }  // namespace
 
-Pass openmesh_pass(const IndexedMesh& mesh, Driver driver, const Stage& stage, const CollapsePlan* plan,
-                   const Scale& scale, const Floor& floor, const GoOn& go_on) {
-  if (driver == Driver::sweep) return drive<SweepDecimaterT<Mesh>>(mesh, stage, plan, scale, floor, go_on);
-  if (driver == Driver::lazy) return drive<LazyDecimaterT<Mesh>>(mesh, stage, plan, scale, floor, go_on);
-  if (driver == Driver::mc) return drive<om::McDecimaterT<Mesh>>(mesh, stage, plan, scale, floor, go_on);
-  return drive<om::DecimaterT<Mesh>>(mesh, stage, plan, scale, floor, go_on);
+Pass openmesh_pass(const IndexedMesh& mesh, const SurfaceExtras& extras, const Job& job,
+                   const CollapsePlan* plan) {
+  if (job.driver == Driver::sweep) return drive<SweepDecimaterT<Mesh>>(mesh, extras, job, plan);
+  if (job.driver == Driver::lazy) return drive<LazyDecimaterT<Mesh>>(mesh, extras, job, plan);
+  if (job.driver == Driver::mc) return drive<om::McDecimaterT<Mesh>>(mesh, extras, job, plan);
+  return drive<om::DecimaterT<Mesh>>(mesh, extras, job, plan);
 }
 
 IndexedMesh retriangulate(const IndexedMesh& mesh, double max_dihedral, DelaunayFlipsReport& report,
-                          std::size_t& refused_faces) {
+                          std::size_t& refused_faces, std::vector<IndexedMesh::Triangle>& wedges) {
   const Silence silence;
   Loaded loaded;
   load(mesh, loaded);
   refused_faces += loaded.refused_faces;
+  if (!wedges.empty()) {
+    loaded.mesh.request_halfedge_texcoords1D();
+    for (const auto f : loaded.mesh.faces())
+      for (const auto h : f.halfedges()) {
+        const std::uint32_t old = loaded.face_origin[static_cast<std::size_t>(f.idx())];
+        for (std::size_t k = 0; k < 3; ++k)
+          if (mesh.triangles[old][k] == static_cast<std::uint32_t>(h.to().idx()))
+            loaded.mesh.set_texcoord1D(h, wedges[old][k]);
+      }
+  }
   DelaunayFlips options;
   options.max_dihedral = max_dihedral;
   report = delaunay_flips(loaded.mesh, options);
+  if (!wedges.empty()) {
+    wedges.clear();
+    for (const auto f : loaded.mesh.faces()) {
+      auto& corners = wedges.emplace_back();
+      std::size_t k = 0;  // unload() goes around the face from the same corner
+      for (const auto v : loaded.mesh.fv_range(f))
+        for (const auto h : f.halfedges())
+          if (h.to() == v) corners[k++] = static_cast<std::uint32_t>(loaded.mesh.texcoord1D(h));
+    }
+  }
   Pass out;
   unload(loaded, {}, out);
   return std::move(out.mesh);

@@ -1,10 +1,12 @@
 #include "recipe/passes.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 namespace whittle::recipe {
+
 void append(Pass& sum, Pass&& pass) {
   sum.mesh = std::move(pass.mesh);
   for (std::uint32_t& v : sum.vertex_map) v = pass.vertex_map[v];
@@ -19,6 +21,19 @@ void append(Pass& sum, Pass&& pass) {
   sum.record += pass.record;
 }
 
+SurfaceExtras carried(const SurfaceExtras& extras, const Pass& pass) {
+  SurfaceExtras out;
+  const std::size_t n = pass.mesh.points.size();
+  if (!extras.flags.empty()) out.flags.resize(n, 0);
+  if (!extras.tolerance.empty()) out.tolerance.resize(n, HUGE_VALF);
+  for (std::size_t v = 0; v < pass.vertex_map.size(); ++v) {
+    const std::uint32_t w = pass.vertex_map[v];
+    if (!extras.flags.empty()) out.flags[w] |= extras.flags[v];
+    if (!extras.tolerance.empty()) out.tolerance[w] = std::min(out.tolerance[w], extras.tolerance[v]);
+  }
+  return out;
+}
+
 Passes no_passes(const IndexedMesh& mesh) {
   Passes out;
   out.sum.mesh = mesh;
@@ -29,38 +44,38 @@ Passes no_passes(const IndexedMesh& mesh) {
   return out;
 }
 
-Passes run_passes(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner* planner,
-                  const Scale& scale, const Floor& floor, std::size_t max_passes, const GoOn& go_on) {
+Passes run_passes(const IndexedMesh& mesh, const SurfaceExtras& extras, const Job& job) {
   Passes out = no_passes(mesh);
-  const bool at_once = stage.constraints.empty();
-  while (out.count < max_passes && !floor.reached(out.sum.mesh)) {
+  SurfaceExtras known = extras;
+  const bool at_once = job.stage.constraints.empty();
+  while (out.count < job.max_passes && !job.floor.reached(out.sum.mesh)) {
     const IndexedMesh& now = out.sum.mesh;
     Plan plan;
-    if (planner) plan = make_plan(now, *planner, floor, at_once ? max_passes : 1, go_on);
-    Pass pass =
-        driver == Driver::bulk
-            ? bulk_pass(now, plan.collapses, floor)
-            : openmesh_pass(now, driver, stage, planner ? &plan.collapses : nullptr, scale, floor, go_on);
+    if (job.planner) plan = make_plan(now, known, job, at_once ? job.max_passes : 1);
+    Pass pass = job.driver == Driver::bulk
+                    ? bulk_pass(now, plan.collapses, job.floor)
+                    : openmesh_pass(now, known, job, job.planner ? &plan.collapses : nullptr);
     pass.plan_seconds = plan.seconds;
     pass.record = plan.collapses.record;
     const std::size_t collapses = pass.collapses;
+    known = carried(known, pass);
     append(out.sum, std::move(pass));
-    out.count += planner ? plan.passes : 1;
-    if (at_once || !planner || collapses == 0) break;
+    out.count += job.planner ? plan.passes : 1;
+    if (at_once || !job.planner || collapses == 0) break;
   }
   return out;
 }
 
-double find_threshold(const IndexedMesh& mesh, Driver driver, const Stage& stage, const Planner& planner,
-                      const Scale& scale, const Floor& floor, std::size_t max_passes, const GoOn& go_on) {
+double find_threshold(const IndexedMesh& mesh, const SurfaceExtras& extras, const Job& job) {
+  Job attempt = job;
   // All drivers execute the same plan, so the fastest one may search, unless constraints change what it does.
-  const Driver searcher = stage.constraints.empty() ? Driver::bulk : driver;
+  if (job.stage.constraints.empty()) attempt.driver = Driver::bulk;
   const auto reaches = [&](double threshold) {
-    const Planner attempt = with_threshold(planner, threshold);
-    return floor.reached(
-        run_passes(mesh, searcher, stage, &attempt, scale, floor, max_passes, go_on).sum.mesh);
+    const Planner planner = with_threshold(*job.planner, threshold);
+    attempt.planner = &planner;
+    return job.floor.reached(run_passes(mesh, extras, attempt).sum.mesh);
   };
-  const auto [first, last] = threshold_range(planner, scale);
+  const auto [first, last] = threshold_range(*job.planner, job.scale);
   double high = first;
   while (!reaches(high)) {
     if (high >= last) return last;

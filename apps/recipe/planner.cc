@@ -1,5 +1,7 @@
 #include "recipe/planner.hh"
 
+#include <charconv>
+
 namespace whittle::recipe {
 namespace {
 
@@ -109,6 +111,13 @@ Planner with_threshold(const Planner& planner, double threshold) {
   if (auto* vtd = std::get_if<VertexTripletDistance>(&changed)) vtd->max_distance = threshold;
   if (auto* fass = std::get_if<Fass>(&changed)) std::get<SphereScan>(fass->planners).radius = threshold;
   return changed;
+}
+
+Spec with_threshold(Spec spec, double threshold) {
+  char digits[32];
+  const char* end = std::to_chars(digits, digits + sizeof digits, threshold).ptr;
+  spec.parameters.emplace_back(threshold_key(spec), std::string(digits, end));
+  return spec;
 }
 
 ThresholdRange threshold_range(const Planner& planner, const Scale& scale) {

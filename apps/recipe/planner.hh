@@ -41,6 +41,9 @@ void set_target(Planner& planner, std::size_t faces, std::size_t vertices);
 /// The planner with its threshold replaced. Of `fass`, the radius.
 Planner with_threshold(const Planner& planner, double threshold);
 
+/// The specification with its threshold added, in the shortest digits that name the number.
+Spec with_threshold(Spec spec, double threshold);
+
 /// Where to look for a threshold that reaches a target: from `first`, doubling, up to `last`.
 struct ThresholdRange {
   double first, last;

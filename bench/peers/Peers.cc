@@ -6,7 +6,8 @@ namespace whittle::bench {
 
 PeerResult simplify_openmesh(const IndexedMesh& mesh, std::size_t triangles) {
   recipe::Recipe recipe;
-  recipe.modules = {recipe::parse_spec("quadric")};
+  // What is stock: without the guards of ours.
+  recipe.modules = {recipe::parse_spec("quadric:boundary-weight=0,guard=-1")};
   recipe.target.faces = triangles;
   recipe.driver = recipe::Driver::decimater;
   auto result = recipe::run(mesh, recipe);

@@ -1,0 +1,30 @@
+#include "recipe/Recipe.hh"
+#include "recipe/Stage.hh"
+#include "recipe/planner.hh"
+
+namespace whittle::recipe {
+
+std::vector<std::string> reasons(const Recipe& recipe, const Result& result) {
+  std::vector<std::string> why;
+  if (result.target_reached) return why;
+  if (result.stopped_by_bound) why.push_back("the bound on the distance allows no more");
+  PlanRecord record;
+  for (const StageResult& stage : result.stages) record += stage.record;
+  for (const Stage& stage : group(recipe.modules))
+    if (has_threshold(stage.module)) why.push_back("the threshold of '" + stage.text() + "' allows no more");
+  if (result.held > 0) why.push_back(std::to_string(result.held) + " vertices are locked");
+  if (record.refused_by_flip_guard > 0)
+    why.push_back("the flip guard refused " + std::to_string(record.refused_by_flip_guard) + " merges");
+  if (record.refused_by_link > 0)
+    why.push_back("the link condition refused " + std::to_string(record.refused_by_link) + " merges");
+  for (const StageResult& stage : result.stages)
+    if (stage.refused_by_decimater > 0) {
+      why.push_back("the constraints or the driver refused " + std::to_string(stage.refused_by_decimater) +
+                    " collapses");
+      break;
+    }
+  if (why.empty()) why.push_back("no further collapse is legal");
+  return why;
+}
+
+}  // namespace whittle::recipe

@@ -1,0 +1,185 @@
+/// \file
+/// OpenMesh's error quadrics with the boundary held and no face turned over.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <OpenMesh/Core/Geometry/QuadricT.hh>
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "whittle/errors.hh"
+
+namespace whittle {
+
+/// A priority module as OpenMesh's ModQuadricT (Garland and Heckbert 1997), with what that lacks.
+///
+/// - *Boundary quadrics*: a plane through each boundary edge, upright on its face. ModQuadricT leaves the
+///   boundary of a flat mesh free, and eats it: of a flat grid of 59 by 59 quads, taken to 200 faces, 25 % of
+///   the area is left.
+/// - *A flip guard*: no face may turn too far against its own normal at initialize().
+/// - *Weights* for each vertex.
+///
+/// With a boundary weight of 0 and a guard of -1 it is ModQuadricT. It leaves no property behind.
+template <typename MeshT>
+class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
+ public:
+  DECIMATING_MODULE(ModGuardedQuadricT, MeshT, GuardedQuadric);
+
+  explicit ModGuardedQuadricT(MeshT& mesh) : Base(mesh, false) {}
+
+  /// Largest error of a collapse: area times squared distance, summed over the planes. Positive; default: no
+  /// bound. \throw InvalidParameter
+  void set_max_err(double error, bool binary = true) {
+    if (!(error > 0)) throw InvalidParameter("the largest quadric error must be positive");
+    max_err_ = error;
+    Base::set_binary(binary);
+  }
+  void unset_max_err() {
+    max_err_ = std::numeric_limits<double>::max();
+    Base::set_binary(false);
+  }
+  double max_err() const { return max_err_; }
+
+  /// How much more than a face of its length squared a boundary edge counts. >= 0, default 10; 0: not at all.
+  /// \throw InvalidParameter
+  void set_boundary_weight(double weight) {
+    if (!(weight >= 0 && std::isfinite(weight)))
+      throw InvalidParameter("the boundary's weight must not be negative");
+    boundary_weight_ = weight;
+  }
+
+  /// Least cosine between a face's normal and the one that it had at initialize(). In [-1, 1), default 0.2;
+  /// -1 turns the guard off. \throw InvalidParameter
+  void set_flip_guard(double min_cos) {
+    if (!(min_cos >= -1 && min_cos < 1)) throw InvalidParameter("the flip guard's cosine must be in [-1, 1)");
+    min_cos_ = min_cos;
+  }
+
+  /// For each vertex a factor of its quadric, read at initialize(): 1 is neutral, 2 makes errors there count
+  /// twice. Finite, >= 0. An invalid handle takes the weights back.
+  void set_weight(OpenMesh::VPropHandleT<float> weight) { weight_ = weight; }
+
+  /// \throw InvalidParameter  a weight that is negative or not finite.
+  void initialize() override;
+
+  float collapse_priority(const CollapseInfo& ci) override {
+    Quadric sum = quadrics_[index(ci.v0)];
+    sum += quadrics_[index(ci.v1)];
+    const double error = sum(ci.p1);
+    if (!(error < max_err_) || (min_cos_ > -1 && turns_a_face(ci)))
+      return static_cast<float>(Base::ILLEGAL_COLLAPSE);
+    return static_cast<float>(error);
+  }
+
+  void postprocess_collapse(const CollapseInfo& ci) override {
+    quadrics_[index(ci.v1)] += quadrics_[index(ci.v0)];
+  }
+
+  void set_error_tolerance_factor(double factor) override {
+    if (!Base::is_binary() || !(factor > 0 && factor <= 1)) return;
+    max_err_ = max_err_ * factor / this->error_tolerance_factor_;
+    this->error_tolerance_factor_ = factor;
+    initialize();
+  }
+
+ private:
+  using Quadric = OpenMesh::Geometry::QuadricT<double>;
+  using Vector = Eigen::Vector3d;
+  using VertexHandle = typename MeshT::VertexHandle;
+  using HalfedgeHandle = typename MeshT::HalfedgeHandle;
+
+  static std::size_t index(OpenMesh::BaseHandle h) { return static_cast<std::size_t>(h.idx()); }
+
+  Vector point(VertexHandle v) const {
+    const auto& p = mesh_ref().point(v);
+    return {double(p[0]), double(p[1]), double(p[2])};
+  }
+  const MeshT& mesh_ref() const { return const_cast<ModGuardedQuadricT*>(this)->Base::mesh(); }
+
+  /// The squared distance from the plane through `p`, times `weight`. \param normal  of length 1 or 0
+  static Quadric plane(const Vector& p, const Vector& normal, double weight) {
+    Quadric quadric(normal[0], normal[1], normal[2], -normal.dot(p));
+    quadric *= weight;
+    return quadric;
+  }
+
+  void add_face(typename MeshT::FaceHandle f);
+  void add_boundary(HalfedgeHandle outside);
+  bool turns_a_face(const CollapseInfo& ci) const;
+
+  double max_err_ = std::numeric_limits<double>::max();
+  double boundary_weight_ = 10, min_cos_ = 0.2;
+  OpenMesh::VPropHandleT<float> weight_;
+  std::vector<Quadric> quadrics_;  // of each vertex
+  std::vector<Vector> normals_;    // of each face at initialize()
+};
+
+template <typename MeshT>
+void ModGuardedQuadricT<MeshT>::initialize() {
+  MeshT& mesh = Base::mesh();
+  quadrics_.assign(mesh.n_vertices(), Quadric());
+  for (Quadric& quadric : quadrics_) quadric.clear();
+  normals_.assign(mesh.n_faces(), Vector::Zero());
+  for (const auto f : mesh.faces()) add_face(f);
+  if (boundary_weight_ > 0)
+    for (const auto h : mesh.halfedges())
+      if (mesh.is_boundary(h)) add_boundary(h);
+  if (!weight_.is_valid()) return;
+  for (const auto v : mesh.vertices()) {
+    const float weight = mesh.property(weight_, v);
+    if (!(weight >= 0 && std::isfinite(weight)))
+      throw InvalidParameter("a vertex has a weight that is negative or not finite");
+    quadrics_[index(v)] *= double(weight);
+  }
+}
+
+template <typename MeshT>
+void ModGuardedQuadricT<MeshT>::add_face(typename MeshT::FaceHandle f) {
+  const MeshT& mesh = mesh_ref();
+  const HalfedgeHandle h = mesh.halfedge_handle(f);
+  const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h),
+                     c = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
+  Vector normal = (point(b) - point(a)).cross(point(c) - point(a));
+  const double twice_area = normal.norm();
+  if (!(twice_area > std::numeric_limits<double>::min())) return;
+  normal /= twice_area;
+  normals_[index(f)] = normal;
+  const Quadric quadric = plane(point(a), normal, twice_area / 2);
+  for (const VertexHandle v : {a, b, c}) quadrics_[index(v)] += quadric;
+}
+
+template <typename MeshT>
+void ModGuardedQuadricT<MeshT>::add_boundary(HalfedgeHandle outside) {
+  const MeshT& mesh = mesh_ref();
+  const auto f = mesh.face_handle(mesh.opposite_halfedge_handle(outside));
+  if (!f.is_valid()) return;
+  const VertexHandle a = mesh.from_vertex_handle(outside), b = mesh.to_vertex_handle(outside);
+  const Vector edge = point(b) - point(a);
+  const Quadric quadric =
+      plane(point(a), edge.cross(normals_[index(f)]).normalized(), boundary_weight_ * edge.squaredNorm());
+  quadrics_[index(a)] += quadric;
+  quadrics_[index(b)] += quadric;
+}
+
+/// Whether one of the faces that stay would turn too far, or lose its area.
+template <typename MeshT>
+bool ModGuardedQuadricT<MeshT>::turns_a_face(const CollapseInfo& ci) const {
+  const MeshT& mesh = mesh_ref();
+  const Vector target = point(ci.v1);
+  for (auto h = mesh.cvoh_iter(ci.v0); h.is_valid(); ++h) {
+    const auto f = mesh.face_handle(*h);
+    if (!f.is_valid() || f == ci.fl || f == ci.fr) continue;
+    const Vector b = point(mesh.to_vertex_handle(*h)),
+                 c = point(mesh.to_vertex_handle(mesh.next_halfedge_handle(*h)));
+    const Vector normal = (b - target).cross(c - target);
+    const Vector& before = normals_[index(f)];
+    if (before.isZero(0)) continue;
+    if (!(normal.dot(before) > min_cos_ * normal.norm())) return true;
+  }
+  return false;
+}
+
+}  // namespace whittle
