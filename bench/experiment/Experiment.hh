@@ -9,8 +9,8 @@
 
 #include "render/Camera.hh"
 #include "render/Renderer.hh"
-#include "report/Progress.hh"
 #include "results/Results.hh"
+#include "terminal/Progress.hh"
 #include "whittle/IndexedMesh.hh"
 
 namespace whittle::bench {
@@ -32,7 +32,7 @@ std::vector<std::size_t> missing_visits(const ExperimentResult& experiment, std:
 
 /// What time_sets reports to and asks.
 struct Watch {
-  Progress& progress;
+  terminal::Progress& progress;
   std::function<void()> visited;  ///< after every visit, to save the results
   std::function<bool()> stop;     ///< asked at every frame
 };

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <thread>
 
-#include "experiment/commit.hh"
+#include "version/Version.hh"
 
 namespace whittle::bench {
 namespace {
@@ -49,8 +49,9 @@ std::string or_unknown(const std::string& text) {
 }  // namespace
 
 Machine machine() {
-  return {cpu_model(),   cpu_threads(), memory_bytes(), WHITTLE_COMPILER, or_unknown(WHITTLE_BUILD_TYPE),
-          WHITTLE_FLAGS, kCommit,       kDirty,         now_utc()};
+  return {
+      cpu_model(),   cpu_threads(),     memory_bytes(),   WHITTLE_COMPILER, or_unknown(WHITTLE_BUILD_TYPE),
+      WHITTLE_FLAGS, version::commit(), version::dirty(), now_utc()};
 }
 
 }  // namespace whittle::bench

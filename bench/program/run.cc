@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <iostream>
 
 #include "experiment/Environment.hh"
@@ -21,11 +19,6 @@ namespace {
 
 /// A tenth of the mean edge is painted in the heat maps' last colour.
 constexpr double kHeatScaleEdges = 0.1;
-
-ProgressStyle progress_style(bool quiet) {
-  if (quiet) return ProgressStyle::silent;
-  return isatty(STDERR_FILENO) == 1 ? ProgressStyle::terminal : ProgressStyle::lines;
-}
 
 bool is_software(const std::string& renderer) {
   for (const char* name : {"llvmpipe", "softpipe", "swrast", "SwiftShader"})
@@ -49,7 +42,7 @@ std::vector<SetDefinition> definitions(const std::string& experiment, const Comm
 class Run {
  public:
   explicit Run(const CommandLine& line)
-      : line_(line), progress_(std::cerr, progress_style(line.quiet)), context_(line.device) {
+      : line_(line), progress_(std::cerr, terminal::style_on_stderr(line.quiet)), context_(line.device) {
     model_ = load_model(line.model, WHITTLE_ASSET_CACHE, line.label);
     monkey_ = load_monkey(line.monkey, WHITTLE_ASSET_CACHE);
     plan();
@@ -206,7 +199,7 @@ class Run {
   }
 
   const CommandLine& line_;
-  Progress progress_;
+  terminal::Progress progress_;
   egl::EglContext context_;
   Model model_;
   std::optional<Model> monkey_;

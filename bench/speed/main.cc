@@ -1,7 +1,5 @@
 /// \file
 /// whittle-speed: how fast is a mesh decimated, and how well?
-#include <unistd.h>
-
 #include <iostream>
 
 #include "files/MeshFile.hh"
@@ -13,16 +11,11 @@
 
 namespace {
 
-namespace bench = whittle::bench;
+namespace terminal = whittle::terminal;
 namespace files = whittle::files;
 namespace speed = whittle::speed;
 
 constexpr int kBadUsageOrInput = 2;
-
-bench::ProgressStyle progress_style(bool quiet) {
-  if (quiet) return bench::ProgressStyle::silent;
-  return isatty(STDERR_FILENO) == 1 ? bench::ProgressStyle::terminal : bench::ProgressStyle::lines;
-}
 
 std::filesystem::path file(const speed::CommandLine& line, const char* extension) {
   return line.out / (line.name + extension);
@@ -37,7 +30,7 @@ void report(const speed::CommandLine& line) {
 }
 
 void run(const speed::CommandLine& line) {
-  bench::Progress progress(std::cerr, progress_style(line.quiet));
+  terminal::Progress progress(std::cerr, terminal::style_on_stderr(line.quiet));
   if (line.threads) speed::confine(*line.threads);
   speed::Json run = speed::run_json(speed::allowed_threads(), line.only_text);
   bool checked = false;

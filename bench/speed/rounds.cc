@@ -58,7 +58,7 @@ void time(const Subject& subject, Result& result) {
 }  // namespace
 
 std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector<Subject>& subjects,
-                                     bench::Progress& progress) {
+                                     terminal::Progress& progress) {
   const std::size_t rounds = settings.rounds;
   std::vector<ModelResults> models;
   std::vector<std::pair<const Subject*, Result*>> visits;

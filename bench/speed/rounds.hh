@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "report/Progress.hh"
 #include "speed/Contender.hh"
 #include "speed/Score.hh"
 #include "speed/lineup.hh"
+#include "terminal/Progress.hh"
 
 namespace whittle::speed {
 
@@ -51,6 +51,6 @@ struct ModelResults {
 /// run), so that a machine that grows slower or faster meets all alike and no contender always follows the
 /// same other. The rounds are preceded by an untimed one, in which memory is counted and results are scored.
 std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector<Subject>& subjects,
-                                     bench::Progress& progress);
+                                     terminal::Progress& progress);
 
 }  // namespace whittle::speed

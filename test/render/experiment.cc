@@ -18,7 +18,7 @@ struct Example {
   bench::ExperimentResult experiment;
   std::vector<const IndexedMesh*> meshes;
   std::ostringstream log;
-  bench::Progress progress{log, bench::ProgressStyle::lines};
+  terminal::Progress progress{log, terminal::ProgressStyle::lines};
   std::size_t saved = 0;
 
   Example(std::size_t sets, std::size_t repetitions) : meshes(sets, &mesh) {

@@ -1,17 +1,17 @@
-#include "report/Progress.hh"
+#include "terminal/Progress.hh"
 
 #include <sstream>
 
 #include "catch.hh"
 
 using namespace whittle;
-using bench::ProgressStyle;
+using terminal::ProgressStyle;
 
 namespace {
 
 std::string two_steps(ProgressStyle style) {
   std::ostringstream out;
-  bench::Progress progress(out, style);
+  terminal::Progress progress(out, style);
   progress.expect(2);
   progress.step("one");
   progress.step("two");
@@ -26,7 +26,7 @@ TEST_CASE("a log gets one plain line a step, with the time left from the second 
 
 TEST_CASE("a terminal gets one line that is written over and taken away") {
   std::ostringstream out;
-  { bench::Progress(out, ProgressStyle::terminal).say("one"); }
+  { terminal::Progress(out, ProgressStyle::terminal).say("one"); }
   CHECK(out.str() == "\r\033[Kone\r\033[K");
   CHECK(two_steps(ProgressStyle::terminal).find('\n') == std::string::npos);
 }
@@ -36,8 +36,8 @@ TEST_CASE("quiet says nothing") {
 }
 
 TEST_CASE("durations are rounded for people") {
-  CHECK(bench::duration_text(0.4) == "0 s");
-  CHECK(bench::duration_text(59.4) == "59 s");
-  CHECK(bench::duration_text(130.2) == "2 min 10 s");
-  CHECK(bench::duration_text(3.5 * 3600) == "3 h 30 min");
+  CHECK(terminal::duration_text(0.4) == "0 s");
+  CHECK(terminal::duration_text(59.4) == "59 s");
+  CHECK(terminal::duration_text(130.2) == "2 min 10 s");
+  CHECK(terminal::duration_text(3.5 * 3600) == "3 h 30 min");
 }

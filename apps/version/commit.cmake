@@ -21,7 +21,7 @@ if(GIT)
 endif()
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT
 "#pragma once
-namespace whittle::bench {
+namespace whittle::version {
 inline constexpr char kCommit[] = \"${commit}\";
 inline constexpr bool kDirty = ${dirty};
 }

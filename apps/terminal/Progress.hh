@@ -7,10 +7,13 @@
 #include <ostream>
 #include <string>
 
-namespace whittle::bench {
+namespace whittle::terminal {
 
 /// `terminal` overwrites one line; `lines` is for log files; `silent` says nothing.
 enum class ProgressStyle { silent, lines, terminal };
+
+/// Silent if asked to be; else by whether standard error is a terminal.
+ProgressStyle style_on_stderr(bool quiet);
 
 class Progress {
  public:
@@ -28,6 +31,10 @@ class Progress {
   /// The next of them begins. From the second on it says how much time is left.
   void step(const std::string& what);
 
+  /// How much of the work is done and how much time is left; only on a terminal, where it may be called
+  /// often.
+  void show(std::size_t done, std::size_t all, const std::string& what);
+
   /// Takes the line on the terminal away.
   void clear();
 
@@ -41,4 +48,4 @@ class Progress {
 /// Rounded for people: "2 min 10 s".
 std::string duration_text(double seconds);
 
-}  // namespace whittle::bench
+}  // namespace whittle::terminal
