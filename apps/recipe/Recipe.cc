@@ -7,6 +7,7 @@
 #include "attributes/transfer.hh"
 #include "measure/Excess.hh"
 #include "recipe/Catalogue.hh"
+#include "recipe/flips.hh"
 #include "recipe/run_stages.hh"
 
 namespace whittle::recipe {
@@ -15,20 +16,6 @@ namespace {
 constexpr std::pair<Driver, const char*> kDrivers[] = {
     {Driver::automatic, "auto"}, {Driver::bulk, "bulk"},           {Driver::sweep, "sweep"},
     {Driver::lazy, "lazy"},      {Driver::decimater, "decimater"}, {Driver::mc, "mc"}};
-
-/// Faces that point backwards, each against itself in the input.
-std::size_t count_flips(const IndexedMesh& before, const IndexedMesh& after,
-                        const std::vector<std::uint32_t>& origin) {
-  const auto normal = [](const IndexedMesh& mesh, std::size_t f) {
-    const auto& t = mesh.triangles[f];
-    const Eigen::Vector3d a = mesh.points[t[0]];
-    return Eigen::Vector3d((mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a));
-  };
-  std::size_t flips = 0;
-  for (std::size_t f = 0; f < origin.size(); ++f)
-    flips += normal(before, origin[f]).dot(normal(after, f)) < 0;
-  return flips;
-}
 
 /// Flags and tolerances for a run: those given, and the seams of the attributes.
 SurfaceExtras extras(const IndexedMesh& mesh, const Givens& givens) {

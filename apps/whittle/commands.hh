@@ -13,7 +13,13 @@ namespace whittle::cli {
 using Command = std::function<int()>;
 
 Command add_simplify(CLI::App& app);
+Command add_lods(CLI::App& app);
+Command add_batch(CLI::App& app);
 Command add_measure(CLI::App& app);
 Command add_info(CLI::App& app);
+
+/// `completion` and `manual`, which describe the others: shell completions and the man page.
+Command add_completion(CLI::App& app);
+Command add_manual(CLI::App& app);
 
 }  // namespace whittle::cli

@@ -1,6 +1,9 @@
 #include "whittle/report.hh"
 
+#include <unistd.h>
+
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 namespace whittle::cli {
@@ -91,8 +94,15 @@ void write_json(const std::string& target, const Json& json) {
     files::write_file(target, text);
 }
 
+void complain(std::string message) {
+  for (char& c : message)
+    if (c == '\n') c = ' ';
+  const bool colour = isatty(STDERR_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+  std::cerr << (colour ? "\033[1mwhittle:\033[0m " : "whittle: ") << message << std::endl;
+}
+
 void print_notes(const std::string& path, const files::ReadReport& report) {
-  for (const std::string& note : report.notes()) std::cerr << "whittle: " << path << ": " << note << "\n";
+  for (const std::string& note : report.notes()) complain(path + ": " + note);
 }
 
 std::string figure(double value) {

@@ -26,6 +26,9 @@ void write_json(const std::string& target, const Json& json);
 /// Says on stderr what a reader could not take as it stood.
 void print_notes(const std::string& path, const files::ReadReport& report);
 
+/// A line on stderr in the program's name, whatever the message holds.
+void complain(std::string message);
+
 /// A figure with six digits.
 std::string figure(double value);
 

@@ -1,0 +1,31 @@
+/// \file
+/// What a batch works on.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace whittle::batch {
+
+/// A folder or a manifest that cannot be used. `what()` is one line.
+class BatchError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Item {
+  std::filesystem::path in, out;
+  std::string name;  ///< unique in the batch, and good as the name of a file
+};
+
+/// All meshes of a folder and of those in it, by name; or of a manifest: a file's name on each line, relative
+/// to the manifest's folder, empty lines and those that begin with # left out.
+/// \param out     a folder; meshes that lie in it already are no input.
+/// \param format  the extension of the results; empty: that of the input.
+/// \throw BatchError  neither folder nor file; two results would have one name; a line that is no file name.
+std::vector<Item> list_items(const std::filesystem::path& source, const std::filesystem::path& out,
+                             const std::string& format);
+
+}  // namespace whittle::batch

@@ -1,0 +1,54 @@
+#include "recipe/Progression.hh"
+
+#include "attributes/transfer.hh"
+#include "recipe/Stopwatch.hh"
+#include "recipe/flips.hh"
+#include "whittle/execute.hh"
+
+namespace whittle::recipe {
+namespace {
+
+Recipe down_to_nothing() {
+  Recipe recipe;
+  recipe.modules = {parse_spec("mq")};
+  recipe.target.faces = 1;
+  return recipe;
+}
+
+}  // namespace
+
+Progression::Progression(const IndexedMesh& mesh, const Givens& givens, const Monitor& monitor)
+    : mesh_(mesh), attributes_(givens.attributes), least_(mesh.triangles.size()) {
+  Stopwatch watch;
+  plan_ = plan(mesh, down_to_nothing(), monitor, givens);
+  plan_seconds_ = watch.lap();
+  for (const Collapse& collapse : plan_.collapses) least_ -= collapse.faces;
+}
+
+Result Progression::at(std::size_t faces) const {
+  Stopwatch watch;
+  std::size_t left = mesh_.triangles.size(), n = 0;
+  while (n < plan_.collapses.size() && left > faces) left -= plan_.collapses[n++].faces;
+  auto executed = execute(plan_, mesh_, n);
+  Result result;
+  result.flipped_faces = count_flips(mesh_, executed.mesh, executed.face_origin);
+  if (attributes_)
+    result.attributes = attributes::transfer(
+        *attributes_, {mesh_, executed.mesh, executed.vertex_map, executed.face_origin});
+  StageResult stage;
+  stage.module = "mq";
+  stage.driver = Driver::bulk;
+  stage.passes = 1;
+  stage.faces_before = mesh_.triangles.size();
+  stage.faces_after = executed.mesh.triangles.size();
+  stage.collapses = n;
+  stage.plan_seconds = plan_seconds_;
+  stage.execute_seconds = watch.lap();
+  result.stages.push_back(stage);
+  result.mesh = std::move(executed.mesh);
+  result.vertex_map = std::move(executed.vertex_map);
+  result.target_reached = result.mesh.triangles.size() <= faces;
+  return result;
+}
+
+}  // namespace whittle::recipe

@@ -1,0 +1,34 @@
+/// \file
+/// One plan, every level of detail.
+#pragma once
+
+#include <cstddef>
+
+#include "recipe/Recipe.hh"
+#include "whittle/CollapsePlan.hh"
+
+namespace whittle::recipe {
+
+/// A plan of the error-ordered planner `mq` down to nothing. Every beginning of it is a coarser mesh, so any
+/// level is had by carrying out as much of it as that takes, without planning again.
+class Progression {
+ public:
+  /// The mesh and the givens' attributes must outlive it.
+  /// \throw InvalidMesh, InvalidParameter, Cancelled  as run().
+  explicit Progression(const IndexedMesh& mesh, const Givens& givens = {}, const Monitor& monitor = {});
+
+  std::size_t most_faces() const { return mesh_.triangles.size(); }
+  std::size_t least_faces() const { return least_; }
+
+  /// The finest level of at most so many faces, or the coarsest that there is.
+  Result at(std::size_t faces) const;
+
+ private:
+  const IndexedMesh& mesh_;
+  const attributes::Attributes* attributes_;
+  CollapsePlan plan_;
+  std::size_t least_;
+  double plan_seconds_ = 0;
+};
+
+}  // namespace whittle::recipe

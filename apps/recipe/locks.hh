@@ -1,0 +1,27 @@
+/// \file
+/// Which vertices are kept in place, as people say it: `boundary`, `feature:30`, `selection:FILE`.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "whittle/IndexedMesh.hh"
+
+namespace whittle::recipe {
+
+struct Lock {
+  enum class What { boundary, feature, selection };
+  What what = What::boundary;
+  double degrees = 0;  ///< feature: of the angle between the normals of an edge's two faces
+  std::string file;    ///< selection
+
+  /// Adds kLocked or kFeature to the flags of the vertices that it means; makes room for all if there are none.
+  /// \throw RecipeError  a selection that cannot be read, or names no vertex of the mesh: file and line.
+  void apply(const IndexedMesh& mesh, std::vector<std::uint8_t>& flags) const;
+};
+
+/// \throw RecipeError
+Lock parse_lock(const std::string& text);
+
+}  // namespace whittle::recipe

@@ -1,0 +1,38 @@
+/// \file
+/// The options that say what is done to a mesh, for all commands that simplify.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/MeshFile.hh"
+#include "recipe/Recipe.hh"
+
+namespace whittle::cli {
+
+struct RecipeOptions {
+  std::vector<std::string> modules, locks;
+  std::optional<double> ratio, delaunay;
+  std::optional<std::size_t> faces, vertices;
+  std::string max_distance, weights, driver = "auto", repair = "report";
+};
+
+/// Adds all of them; `with_target` leaves out or adds --ratio, --faces and --vertices.
+void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_target);
+
+/// \throw recipe::RecipeError
+recipe::Recipe make_recipe(const RecipeOptions& options);
+
+files::ReadOptions read_options(const RecipeOptions& options);
+
+/// What `--lock` and `--weights` say of a mesh, and its attributes, which must outlive the result.
+/// \throw files::FileError  a selection that cannot be read. \throw recipe::RecipeError
+recipe::Givens make_givens(const RecipeOptions& options, const files::MeshFile& in);
+
+/// The part of `--help` that explains lengths and modules.
+std::string recipe_help();
+
+}  // namespace whittle::cli
