@@ -1,10 +1,8 @@
 #include <nlohmann/json.hpp>
 
-#include "Process.hh"
-#include "files/MeshFile.hh"
+#include "TorusFile.hh"
 #include "measure/Distance.hh"
 #include "measure/MeshFacts.hh"
-#include "meshes.hh"
 
 using namespace whittle;
 using Catch::Matchers::Contains;
@@ -17,13 +15,7 @@ programs::Outcome simplify(std::vector<std::string> arguments) {
   return programs::run(WHITTLE_PROGRAM, arguments);
 }
 
-/// A torus in a file, in a folder that holds nothing else.
-struct Input {
-  explicit Input(const std::string& name = "in.ply") : path(folder / name) { files::write_mesh(path, mesh); }
-  programs::Folder folder;
-  IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
-  std::string path;
-};
+using Input = programs::TorusFile;
 
 }  // namespace
 
