@@ -2,6 +2,7 @@
 
 #include <poll.h>
 
+#include <cmath>
 #include <list>
 #include <optional>
 #include <system_error>
@@ -81,8 +82,9 @@ class Run {
     outcome.status = Outcome::Status::skipped;  // it may have been finished just before it was claimed
     if (order_.resume && memory_.knows(item, outcome)) return end(i, outcome, false);
     std::filesystem::create_directories(item.out.parent_path());
-    std::vector<std::string> command{order_.program, "simplify", item.in.string(), item.out.string(),
-                                     "--json",       memory_.work(item).string(),  "--quiet"};
+    std::vector<std::string> command{order_.program,    "simplify", item.in.string(),
+                                     item.out.string(), "--json",   memory_.work(item).string(),
+                                     "--quiet"};
     command.insert(command.end(), order_.arguments.begin(), order_.arguments.end());
     running_.push_back({i, std::move(*claim), Child(command, order_.limits)});
   }

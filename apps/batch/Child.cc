@@ -98,7 +98,7 @@ std::optional<Ending> Child::poll() {
   process_ = -1;
   read_errors();
   Ending ending;
-  ending.how = killed_              ? Ending::How::timed_out
+  ending.how = killed_               ? Ending::How::timed_out
                : WIFSIGNALED(status) ? Ending::How::signalled
                                      : Ending::How::exited;
   ending.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);

@@ -32,8 +32,8 @@ bool is_stale(const fs::path& file, std::chrono::seconds life) {
   if (descriptor < 0) return false;
   struct stat now {};
   struct stat then {};
-  const bool both = futimens(descriptor, nullptr) == 0 && fstat(descriptor, &now) == 0 &&
-                    stat(file.c_str(), &then) == 0;
+  const bool both =
+      futimens(descriptor, nullptr) == 0 && fstat(descriptor, &now) == 0 && stat(file.c_str(), &then) == 0;
   close(descriptor);
   unlink(clock.c_str());
   return both && now.st_mtime - then.st_mtime > life.count();

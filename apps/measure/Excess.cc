@@ -13,22 +13,34 @@ namespace whittle::measure {
 namespace {
 
 struct Found {
-  std::vector<std::uint32_t> vertices;
+  std::vector<FarVertex> vertices;
   double max_squared = 0;
 };
 
+/// Each vertex once, with its largest distance.
+std::vector<FarVertex> unique(std::vector<FarVertex> all) {
+  std::sort(all.begin(), all.end(), [](const FarVertex& a, const FarVertex& b) {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.distance > b.distance;
+  });
+  all.erase(std::unique(all.begin(), all.end(),
+                        [](const FarVertex& a, const FarVertex& b) { return a.vertex == b.vertex; }),
+            all.end());
+  return all;
+}
+
 Found far_vertices(const Surface& from, const ClosestFace& to, double bound, const DistanceOptions& options) {
-  const auto seen = [&](Found& found, const Eigen::Vector3d& point) {
+  const auto distance = [&](Found& found, const Eigen::Vector3d& point) {
     const double squared = to.closest(point).squared_distance;
     found.max_squared = std::max(found.max_squared, squared);
-    return std::sqrt(squared) > bound;
+    return std::sqrt(squared);
   };
   auto blocks = in_blocks<Found>(options.samples, options.threads, [&](std::size_t begin, std::size_t end) {
     Found found;
     for (std::size_t i = begin; i < end; ++i) {
-      if (!seen(found, from.sample(i, options.samples))) continue;
-      const auto& face = from.triangle(from.sampled_face(i, options.samples));
-      found.vertices.insert(found.vertices.end(), face.begin(), face.end());
+      const double d = distance(found, from.sample(i, options.samples));
+      if (d > bound)
+        for (const std::uint32_t v : from.triangle(from.sampled_face(i, options.samples)))
+          found.vertices.push_back({v, d});
     }
     return found;
   });
@@ -36,8 +48,10 @@ Found far_vertices(const Surface& from, const ClosestFace& to, double bound, con
   const auto at_vertices =
       in_blocks<Found>(vertices.size(), options.threads, [&](std::size_t begin, std::size_t end) {
         Found found;
-        for (std::size_t i = begin; i < end; ++i)
-          if (seen(found, from.point(vertices[i]))) found.vertices.push_back(vertices[i]);
+        for (std::size_t i = begin; i < end; ++i) {
+          const double d = distance(found, from.point(vertices[i]));
+          if (d > bound) found.vertices.push_back({vertices[i], d});
+        }
         return found;
       });
   blocks.insert(blocks.end(), at_vertices.begin(), at_vertices.end());
@@ -47,8 +61,7 @@ Found far_vertices(const Surface& from, const ClosestFace& to, double bound, con
     all.vertices.insert(all.vertices.end(), block.vertices.begin(), block.vertices.end());
     all.max_squared = std::max(all.max_squared, block.max_squared);
   }
-  std::sort(all.vertices.begin(), all.vertices.end());
-  all.vertices.erase(std::unique(all.vertices.begin(), all.vertices.end()), all.vertices.end());
+  all.vertices = unique(std::move(all.vertices));
   return all;
 }
 

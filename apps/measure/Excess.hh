@@ -11,10 +11,14 @@
 
 namespace whittle::measure {
 
-/// The vertices of the faces on which a sample lies too far from the other surface, and the vertices that do
-/// so themselves; each once, in ascending order.
+/// A vertex that lies too far from the other surface itself, or has a face on which a sample does.
+struct FarVertex {
+  std::uint32_t vertex;
+  double distance;  ///< the largest of those
+};
+
 struct Excess {
-  std::vector<std::uint32_t> original, simplified;
+  std::vector<FarVertex> original, simplified;  ///< each vertex once, in ascending order
   double max = 0;  ///< the largest distance of all, as in Distance::two_sided
 
   bool none() const { return original.empty() && simplified.empty(); }

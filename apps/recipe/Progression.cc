@@ -33,8 +33,8 @@ Result Progression::at(std::size_t faces) const {
   Result result;
   result.flipped_faces = count_flips(mesh_, executed.mesh, executed.face_origin);
   if (attributes_)
-    result.attributes = attributes::transfer(
-        *attributes_, {mesh_, executed.mesh, executed.vertex_map, executed.face_origin});
+    result.attributes =
+        attributes::transfer(*attributes_, {mesh_, executed.mesh, executed.vertex_map, executed.face_origin});
   StageResult stage;
   stage.module = "mq";
   stage.driver = Driver::bulk;

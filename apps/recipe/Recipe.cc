@@ -47,8 +47,8 @@ Work make_work(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& mon
 }
 
 /// Retriangulates the result, unless that breaks the bound.
-void retriangulate(const IndexedMesh& input, const Recipe& recipe, std::optional<double> bound,
-                   Result& result) {
+void retriangulate_result(const IndexedMesh& input, const Recipe& recipe, std::optional<double> bound,
+                          Result& result) {
   std::vector<IndexedMesh::Triangle> before = attributes::wedges(result.mesh, result.attributes);
   std::vector<IndexedMesh::Triangle> after = before;
   IndexedMesh mesh =
@@ -139,7 +139,7 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor
     result.attributes = attributes::transfer(*givens.attributes,
                                              {mesh, ran.sum.mesh, ran.sum.vertex_map, ran.sum.face_origin});
   result.mesh = std::move(ran.sum.mesh);
-  if (recipe.delaunay) retriangulate(mesh, recipe, bound, result);
+  if (recipe.delaunay) retriangulate_result(mesh, recipe, bound, result);
   result.vertex_map = std::move(ran.sum.vertex_map);
   result.target_reached = !work.floor.any() || work.floor.reached(result.mesh);
   return result;

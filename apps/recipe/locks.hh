@@ -16,8 +16,9 @@ struct Lock {
   double degrees = 0;  ///< feature: of the angle between the normals of an edge's two faces
   std::string file;    ///< selection
 
-  /// Adds kLocked or kFeature to the flags of the vertices that it means; makes room for all if there are none.
-  /// \throw RecipeError  a selection that cannot be read, or names no vertex of the mesh: file and line.
+  /// Adds kLocked or kFeature to the flags of the vertices that it means; makes room for all if there are
+  /// none. \throw RecipeError  a selection that cannot be read, or names no vertex of the mesh: file and
+  /// line.
   void apply(const IndexedMesh& mesh, std::vector<std::uint8_t>& flags) const;
 };
 

@@ -93,13 +93,13 @@ class ModGivenPlanT : public ModPlannedT<MeshT, GivenPlan> {
 /// Adds a stock module, with the defaults that the catalogue names.
 template <typename Decimater>
 void add_stock(Decimater& decimater, const Spec& spec, const Scale& scale,
-               OpenMesh::VPropHandleT<float> weight = {}) {
+               OpenMesh::VPropHandleT<float> weights = OpenMesh::VPropHandleT<float>()) {
   if (spec.name == "quadric") {
     auto& module = add<ModGuardedQuadricT<Mesh>>(decimater);
     if (const auto error = spec.number("max-err")) module.set_max_err(*error, false);
     if (const auto weight = spec.number("boundary-weight")) module.set_boundary_weight(*weight);
     if (const auto min_cos = spec.number("guard")) module.set_flip_guard(*min_cos);
-    module.set_weight(weight);
+    module.set_weight(weights);
   } else if (spec.name == "normal-flipping") {
     add<om::ModNormalFlippingT<Mesh>>(decimater).set_max_normal_deviation(spec.number("angle").value_or(90));
   } else if (spec.name == "normal-deviation") {

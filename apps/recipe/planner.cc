@@ -116,7 +116,8 @@ Planner with_threshold(const Planner& planner, double threshold) {
 Spec with_threshold(Spec spec, double threshold) {
   char digits[32];
   const char* end = std::to_chars(digits, digits + sizeof digits, threshold).ptr;
-  spec.parameters.emplace_back(threshold_key(spec), std::string(digits, end));
+  spec.parameters.emplace_back(threshold_key(spec),
+                               std::string(digits, static_cast<std::size_t>(end - digits)));
   return spec;
 }
 

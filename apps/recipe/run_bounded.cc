@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "measure/Excess.hh"
@@ -31,9 +30,9 @@ Tried attempt(const Work& work, double bound) {
   if (has_area(after)) {
     tried.excess = measure::excess(work.mesh, after, bound);
   } else {  // everything is gone
-    tried.excess.original.resize(work.mesh.points.size());
-    std::iota(tried.excess.original.begin(), tried.excess.original.end(), 0u);
-    tried.excess.max = std::numeric_limits<double>::infinity();
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    for (std::uint32_t v = 0; v < work.mesh.points.size(); ++v) tried.excess.original.push_back({v, kFar});
+    tried.excess.max = kFar;
   }
   return tried;
 }
@@ -89,7 +88,10 @@ Stage* open_stage(Work& work) {
   return found == work.stages.end() ? nullptr : &*found;
 }
 
-/// The largest threshold that keeps the bound.
+/// By how much a threshold may break the bound for a second attempt, with the places held where it does.
+constexpr double kBeyond = 1.3;
+
+/// The largest threshold that keeps the bound; the stage is left with a larger one.
 BoundedRan stop_at_threshold(Work& work, Stage& stage, double bound) {
   const auto [first, last] = threshold_range(make_planner(stage.module, work.scale), work.scale);
   const Spec open = stage.module;
@@ -115,28 +117,42 @@ BoundedRan stop_at_threshold(Work& work, Stage& stage, double bound) {
       high = middle;
     }
   }
-  stage.module = with_threshold(open, low);
+  stage.module = with_threshold(open, kBeyond * low);
   BoundedRan out = finished(std::move(best));
   out.stopped = true;
   return out;
 }
 
-/// Holds the vertices around the places that lie too far. \return how many were not held before.
-std::size_t hold(const Work& work, const Tried& tried, bool and_neighbours,
-                 std::vector<std::uint8_t>& flags) {
-  std::vector<bool> far(work.mesh.points.size(), false), far_after(tried.ran.sum.mesh.points.size(), false);
-  for (const std::uint32_t v : tried.excess.original) far[v] = true;
-  for (const std::uint32_t w : tried.excess.simplified) far_after[w] = true;
+/// How far off each vertex of the input is, together with the faces around it and around what it became; 0
+/// where it is held already or within the bound.
+std::vector<double> excess_of_vertices(const Tried& tried, const std::vector<std::uint8_t>& flags) {
+  const Pass& sum = tried.ran.sum;
+  std::vector<double> far(sum.vertex_map.size(), 0), far_after(sum.mesh.points.size(), 0);
+  for (const auto& [v, distance] : tried.excess.original) far[v] = distance;
+  for (const auto& [w, distance] : tried.excess.simplified) far_after[w] = distance;
   for (std::size_t v = 0; v < far.size(); ++v)
-    if (far_after[tried.ran.sum.vertex_map[v]]) far[v] = true;
-  if (and_neighbours) {
-    const std::vector<bool> inner = far;
-    for (const auto& t : work.mesh.triangles)
-      if (inner[t[0]] || inner[t[1]] || inner[t[2]]) far[t[0]] = far[t[1]] = far[t[2]] = true;
+    far[v] = flags[v] & kLocked ? 0 : std::max(far[v], far_after[sum.vertex_map[v]]);
+  return far;
+}
+
+/// How much is held in a round. To hold the worst first leaves their neighbours room to do without; later
+/// rounds make sure that it comes to an end soon.
+enum class Grip { worst, all, all_and_neighbours };
+
+/// \return how many vertices were not held before.
+std::size_t hold(const Work& work, const Tried& tried, Grip grip, std::vector<std::uint8_t>& flags) {
+  const std::vector<double> far = excess_of_vertices(tried, flags);
+  std::vector<double> around = far;  // the largest among a vertex and its neighbours
+  for (const auto& t : work.mesh.triangles) {
+    const double most = std::max({far[t[0]], far[t[1]], far[t[2]]});
+    for (const std::uint32_t v : t) around[v] = std::max(around[v], most);
   }
   std::size_t added = 0;
   for (std::size_t v = 0; v < far.size(); ++v) {
-    if (!far[v] || (flags[v] & kLocked)) continue;
+    const bool is_chosen = grip == Grip::all_and_neighbours ? around[v] > 0
+                           : grip == Grip::all              ? far[v] > 0
+                                                            : far[v] > 0 && far[v] == around[v];
+    if (!is_chosen || (flags[v] & kLocked)) continue;
     flags[v] |= kLocked;
     ++added;
   }
@@ -144,13 +160,15 @@ std::size_t hold(const Work& work, const Tried& tried, bool and_neighbours,
 }
 
 BoundedRan hold_and_repeat(Work work, double bound) {
+  constexpr int kWorstRounds = 12, kAllRounds = 16;
   work.extras.flags.resize(work.mesh.points.size(), 0);
-  constexpr int kExactRounds = 4;  // then whole neighbourhoods, so that it comes to an end soon
   std::size_t held = 0;
   for (int round = 0;; ++round) {
     Tried tried = attempt(work, bound);
-    const std::size_t added =
-        tried.excess.none() ? 0 : hold(work, tried, round >= kExactRounds, work.extras.flags);
+    const Grip grip = round < kWorstRounds ? Grip::worst
+                      : round < kAllRounds ? Grip::all
+                                           : Grip::all_and_neighbours;
+    const std::size_t added = tried.excess.none() ? 0 : hold(work, tried, grip, work.extras.flags);
     held += added;
     if (added > 0) continue;
     BoundedRan out = finished(std::move(tried));
@@ -167,7 +185,9 @@ BoundedRan run_bounded(const Work& work, double bound) {
   Work copy = work;
   if (Stage* stage = open_stage(copy)) {
     BoundedRan best = stop_at_threshold(copy, *stage, bound);
-    if (best.held) return best;  // else even the least threshold breaks it here and there
+    BoundedRan second = hold_and_repeat(copy, bound);
+    const bool is_better = second.held && second.sum.mesh.triangles.size() < best.sum.mesh.triangles.size();
+    return is_better || !best.held ? second : best;
   }
   return hold_and_repeat(copy, bound);
 }

@@ -51,9 +51,9 @@ struct BoundedRan : Ran {
 };
 
 /// Modules that go by error stop where the bound is met; a module without a threshold or target gets the
-/// largest threshold that keeps it; with a threshold, the vertices around each place that lies too far are
-/// held where they are, and all is run again, until no such place is left.
-/// \param bound  model units
+/// largest threshold that keeps it, or a larger one with some vertices held; with a threshold, the vertices
+/// around each place that lies too far are held where they are, and all is run again, until no such place is
+/// left. \param bound  model units
 BoundedRan run_bounded(const Work& work, double bound);
 
 }  // namespace whittle::recipe

@@ -70,7 +70,7 @@ TEST_CASE("normals keep their length, and a vertex that stays keeps its values b
     for (int i = 0; i < 3; ++i) normals.values.push_back(static_cast<float>(n[i]));
   }
   const Attributes given{normals};
-  const auto result = recipe::run(mesh, recipe_of("ivdd:distance=0.9e"), {}, {{}, {}, &given});
+  const auto result = recipe::run(mesh, recipe_of("ss:radius=0.7e"), {}, {{}, {}, &given});
   std::map<std::uint32_t, std::set<std::uint32_t>> members;
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) members[result.vertex_map[v]].insert(v);
   std::size_t kept = 0;
@@ -100,7 +100,7 @@ TEST_CASE("a seam stays where it is, and each side keeps its own coordinates") {
     if (retriangulate) recipe.delaunay = 180;
     const auto result = recipe::run(mesh, recipe, {}, {{}, {}, &given});
     CHECK(result.held == 20);
-    REQUIRE(result.mesh.triangles.size() < mesh.triangles.size() / 2);
+    REQUIRE(double(result.mesh.triangles.size()) < 0.55 * double(mesh.triangles.size()));
     const Attribute& out = result.attributes[0];
     REQUIRE(out.corners.size() == result.mesh.triangles.size());
     for (std::size_t f = 0; f < out.corners.size(); ++f) {
