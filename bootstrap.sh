@@ -15,8 +15,8 @@ packages=(
   libegl-dev libegl1 libgl1-mesa-dri libepoxy-dev libglfw3-dev libimgui-dev libfreetype-dev
   # A font that can be read, and a display for tests.
   fonts-dejavu-core xvfb
-  # Tests, one of which opens the report in a browser, and certificates for those who fetch over HTTPS.
-  catch2 ca-certificates chromium
+  # Tests, which open the report in a browser and run batches in parallel, and certificates for those who fetch over HTTPS.
+  catch2 ca-certificates chromium parallel
 )
 
 case ${1:-} in

@@ -35,10 +35,11 @@ std::vector<ModuleInfo> make_catalogue() {
   const Key radius = length("radius", "neighbours nearer than this merge; required without a target");
   const Key scan_placement =
       choice("placement", {"paper", "quadric"}, "midpoint, centre, centroid, or quadric; paper");
-  const Key triangle_placement =
-      choice("placement", {"enclosing", "circumcenter"}, "where a triangle's point lies; enclosing");
+  const Key triangle_placement = choice("placement", {"enclosing", "circumcenter", "quadric"},
+                                        "where a triangle's point lies; enclosing");
+  const Key order = choice("order", {"index", "error"}, "error: the cheapest merges first; index");
   return {
-      {"vt", Role::planned, "triangles become points", {triangle_placement, guard, passes}},
+      {"vt", Role::planned, "triangles become points", {triangle_placement, order, guard, passes}},
       {"fad",
        Role::planned,
        "removes vertices whose faces lie nearly in a plane",
@@ -47,11 +48,11 @@ std::vector<ModuleInfo> make_catalogue() {
        Role::planned,
        "folds short edges and small triangles to a point",
        {length("distance", "edges shorter than this fold; required without a target"), triangle_placement,
-        boundary, guard, passes}},
+        order, boundary, guard, passes}},
       {"ss",
        Role::planned,
        "merges what a moving sphere covers",
-       {radius, scan_placement, boundary, guard, passes}},
+       {radius, scan_placement, order, boundary, guard, passes}},
       {"vtd",
        Role::planned,
        "small triangles become points, else an edge folds",
@@ -61,7 +62,8 @@ std::vector<ModuleInfo> make_catalogue() {
       {"fass",
        Role::planned,
        "fad, then ss on what is left",
-       {radius, scan_placement, angle, included, pairs, count, area, lock, apex, boundary, guard, passes}},
+       {radius, scan_placement, order, angle, included, pairs, count, area, lock, apex, boundary, guard,
+        passes}},
       {"mq",
        Role::planned,
        "down to the target, as true to the shape as possible; needs a target",

@@ -23,10 +23,15 @@ FaceAngle make_face_angle(const Spec& spec) {
   return planner;
 }
 
+ScanOrder order_of(const Spec& spec) {
+  return spec.word("order") == "error" ? ScanOrder::error : ScanOrder::index;
+}
+
 SphereScan make_sphere_scan(const Spec& spec, const Scale& scale) {
   SphereScan planner;
   if (const auto radius = spec.length("radius", scale)) planner.radius = *radius;
   if (spec.word("placement") == "quadric") planner.placement = SphereScan::Placement::quadric;
+  planner.order = order_of(spec);
   return planner;
 }
 
@@ -34,7 +39,9 @@ SphereScan make_sphere_scan(const Spec& spec, const Scale& scale) {
 template <typename P>
 P make_triangle_planner(const Spec& spec) {
   P planner;
-  if (spec.word("placement") == "circumcenter") planner.placement = P::Placement::circumcenter;
+  if (spec.word("placement") == "circumcenter") planner.placement = TrianglePlacement::circumcenter;
+  if (spec.word("placement") == "quadric") planner.placement = TrianglePlacement::quadric;
+  if constexpr (!std::is_same_v<P, VertexTripletDistance>) planner.order = order_of(spec);
   return planner;
 }
 

@@ -24,7 +24,8 @@ namespace whittle {
 /// so a quadric is a symmetric matrix and nothing else.
 ///
 /// Vertices that are locked, features or on a seam stay where they are; free ones may merge into them. The
-/// boundary is held by planes of its own. Computes in float on a copy of unit size.
+/// boundary is held by planes of its own. A tolerance divides the error that a collapse adds by its square,
+/// of both ends the least counts. Computes in float on a copy of unit size.
 struct MemorylessQuadric {
   std::size_t target_faces = 0;     ///< stop at so many faces or fewer; 0: go on until nothing is legal
   std::size_t target_vertices = 0;  ///< or at so many vertices, isolated ones included
@@ -41,7 +42,7 @@ struct MemorylessQuadric {
   template <typename Real>
   CollapsePlan plan(const SurfaceT<Real>& surface) const {
     validate();
-    return plan_checked(surface.mesh(), surface.extras().flags, 1);
+    return plan_checked(surface.mesh(), surface.extras(), 1);
   }
 
   /// Without a surface, which it does not need; `bulk` uses this.
@@ -49,24 +50,23 @@ struct MemorylessQuadric {
   template <typename Real>
   CollapsePlan plan(const IndexedMeshT<Real>& mesh, SurfaceExtras extras, std::size_t n_threads) const {
     validate();
-    return plan_checked(mesh, checked(mesh, std::move(extras)).flags, n_threads);
+    return plan_checked(mesh, checked(mesh, std::move(extras)), n_threads);
   }
 
  private:
   template <typename Real>
-  CollapsePlan plan_checked(const IndexedMeshT<Real>& mesh, const std::vector<std::uint8_t>& flags,
+  CollapsePlan plan_checked(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
                             std::size_t n_threads) const;
 };
 
 template <typename Real>
-CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<Real>& mesh,
-                                             const std::vector<std::uint8_t>& flags,
+CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
                                              std::size_t n_threads) const {
-  MemorylessQuadricRun run(mesh, flags, static_cast<float>(guard.min_cos), n_threads);
+  MemorylessQuadricRun run(mesh, extras, static_cast<float>(guard.min_cos), n_threads);
   run.run(target_faces, target_vertices);
   CollapsePlan plan = run.take();
   for (Collapse& collapse : plan.collapses)  // what is held stays just where it is, not where its float is
-    if ((flags[collapse.to] & MemorylessQuadricRun::kHeld) != 0)
+    if ((extras.flags[collapse.to] & MemorylessQuadricRun::kHeld) != 0)
       collapse.target = mesh.points[collapse.to].template cast<double>();
   return plan;
 }

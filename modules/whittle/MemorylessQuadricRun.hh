@@ -27,7 +27,7 @@ class MemorylessQuadricRun {
   static constexpr std::uint8_t kHeld = kLocked | kFeature | kSeam;  ///< flags of vertices that stay in place
 
   template <typename Real>
-  MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const std::vector<std::uint8_t>& flags, float min_cos,
+  MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras, float min_cos,
                        std::size_t n_threads);
 
   /// Collapses until at most so many faces or at most so many vertices are left.
@@ -75,7 +75,9 @@ class MemorylessQuadricRun {
   void sum_quadrics();
   void queue_all();
   void prefetch() const;
+  void set_weights(const std::vector<float>& tolerance);
   Placement place(Corner c) const;
+  Placement best_place(Corner c) const;
   bool is_movable(Corner c) const;
 
   /// Whether it is the end of the half-edge that survives: it is held, or it alone is on the boundary.
@@ -100,6 +102,7 @@ class MemorylessQuadricRun {
   std::vector<Vertex> vertices_;
   std::vector<SymmetricMatrix> quadrics_;
   std::vector<Hold> holds_;
+  std::vector<float> weights_;  // of costs; empty where all are 1
   BucketQueue queue_;
   std::vector<Turn> turns_;
   std::size_t n_faces_, n_vertices_;
@@ -111,9 +114,8 @@ class MemorylessQuadricRun {
 };
 
 template <typename Real>
-MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh,
-                                           const std::vector<std::uint8_t>& flags, float min_cos,
-                                           std::size_t n_threads)
+MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
+                                           float min_cos, std::size_t n_threads)
     : MemorylessQuadricRun(MortonOrder(mesh), min_cos, n_threads) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL), high = -low;
   for (const auto& p : mesh.points) {
@@ -126,8 +128,9 @@ MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh,
     const std::uint32_t v = input_[i];
     const Eigen::Vector3d p = mesh.points[v].template cast<double>();
     vertices_[i] = {((p - center_) / scale_).template cast<float>(), 0};
-    if (holds_[i] == kFree && !flags.empty() && (flags[v] & kHeld)) holds_[i] = kFixed;
+    if (holds_[i] == kFree && !extras.flags.empty() && (extras.flags[v] & kHeld)) holds_[i] = kFixed;
   }
+  if (!extras.tolerance.empty()) set_weights(extras.tolerance);
   sum_quadrics();
 }
 
@@ -161,6 +164,15 @@ inline void MemorylessQuadricRun::sum_quadrics() {
   }
 }
 
+inline void MemorylessQuadricRun::set_weights(const std::vector<float>& tolerance) {
+  constexpr float kLeast = 1e-4f;  // its weight is still far from the largest float
+  weights_.resize(vertices_.size());
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const float least = std::max(kLeast, tolerance[input_[i]]);
+    weights_[i] = 1 / (least * least);
+  }
+}
+
 /// Both ends in a disc or a fan, and not both of them fixed.
 inline bool MemorylessQuadricRun::is_movable(Corner c) const {
   const Hold a = holds_[table_.vertex(c)], b = holds_[table_.vertex(next(c))];
@@ -176,7 +188,7 @@ inline void MemorylessQuadricRun::queue_all() {
 
 /// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
 /// slight pull to the middle that decides where the planes leave a direction open.
-inline auto MemorylessQuadricRun::place(Corner c) const -> Placement {
+inline auto MemorylessQuadricRun::best_place(Corner c) const -> Placement {
   const std::uint32_t a = table_.vertex(c), b = table_.vertex(next(c));
   const SymmetricMatrix &at_a = quadrics_[a], &at_b = quadrics_[b];
   const Vec e = vertices_[b].position - vertices_[a].position;
@@ -190,6 +202,13 @@ inline auto MemorylessQuadricRun::place(Corner c) const -> Placement {
   if ((u - middle).squaredNorm() <= 4 * e.squaredNorm())
     return {u, std::max(0.0f, (e - u).dot(pull_b) - pull * u.dot(u - middle))};
   return {middle, std::max(0.0f, middle.dot(sum * middle))};
+}
+
+inline auto MemorylessQuadricRun::place(Corner c) const -> Placement {
+  Placement placement = best_place(c);
+  if (!weights_.empty())
+    placement.cost *= std::max(weights_[table_.vertex(c)], weights_[table_.vertex(next(c))]);
+  return placement;
 }
 
 /// Goes around `v`: shows its neighbours to `visit`, and collects the faces that stay when half-edge `c`
@@ -301,6 +320,7 @@ inline void MemorylessQuadricRun::collapse(Corner c, const Placement& placement)
   --n_vertices_;
   vertices_[to].position = target;
   if (holds_[from] == kFixed) holds_[to] = kFixed;
+  if (!weights_.empty()) weights_[to] = std::max(weights_[to], weights_[from]);
   for_each_boundary_edge(to, [&](Corner half, std::uint32_t w) {
     const SymmetricMatrix boundary = boundary_quadric(edge(half));
     quadrics_[w] += boundary;

@@ -20,6 +20,10 @@ class ModCircumcenterT : public ModPlannedT<MeshT, Circumcenter> {
   void set_placement(Circumcenter::Placement placement) {
     this->change([&](Circumcenter& p) { p.placement = placement; });
   }
+  /// Default: by index, as in the paper.
+  void set_order(ScanOrder order) {
+    this->change([&](Circumcenter& p) { p.order = order; });
+  }
   /// Least cosine between a face's new and original normal. -1..1, default 0.2; -1 turns the flip guard off.
   void set_flip_guard(double min_cos) {
     this->change([&](Circumcenter& p) { p.guard.min_cos = min_cos; });

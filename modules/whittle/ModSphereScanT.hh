@@ -25,6 +25,10 @@ class ModSphereScanT : public ModPlannedT<MeshT, SphereScan> {
   void set_placement(SphereScan::Placement placement) {
     this->change([&](SphereScan& p) { p.placement = placement; });
   }
+  /// Default: by index, as in the paper.
+  void set_order(ScanOrder order) {
+    this->change([&](SphereScan& p) { p.order = order; });
+  }
   /// Default: boundary vertices stay.
   void set_boundary(Boundary boundary) {
     this->change([&](SphereScan& p) { p.boundary = boundary; });

@@ -26,6 +26,10 @@ class ModVertexDistanceT : public ModPlannedT<MeshT, VertexDistance> {
   void set_placement(VertexDistance::Placement placement) {
     this->change([&](VertexDistance& p) { p.placement = placement; });
   }
+  /// Default: by index, as in the paper.
+  void set_order(ScanOrder order) {
+    this->change([&](VertexDistance& p) { p.order = order; });
+  }
   /// Default: boundary vertices stay.
   void set_boundary(Boundary boundary) {
     this->change([&](VertexDistance& p) { p.boundary = boundary; });

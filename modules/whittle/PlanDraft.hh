@@ -60,6 +60,10 @@ class PlanDraftT {
   Verdict merge(std::initializer_list<std::uint32_t> members, const Eigen::Vector3d& target) {
     return try_merge({members.begin(), members.size()}, target);
   }
+  template <std::size_t N>
+  Verdict merge(const std::array<std::uint32_t, N>& members, const Eigen::Vector3d& target) {
+    return try_merge({members.data(), N}, target);
+  }
   Verdict merge(const std::vector<std::uint32_t>& members, const Eigen::Vector3d& target) {
     return try_merge({members.data(), members.size()}, target);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,11 @@ struct ShortEdges {
   int count = 0;
   int shortest = -1;  ///< edge i goes from corner i to the next
   bool is_short[3] = {};
+
+  /// The two ends of the shortest. \pre count > 0
+  std::array<std::uint32_t, 2> ends(const std::array<std::uint32_t, 3>& t) const {
+    return {t[static_cast<std::size_t>(shortest)], t[static_cast<std::size_t>((shortest + 1) % 3)]};
+  }
 
   /// \param max_distance  times the lesser tolerance of the two ends.
   /// \param taken         vertices that merge no more in this pass.

@@ -6,25 +6,26 @@
 #include <cstdint>
 
 #include "whittle/PlanDraft.hh"
+#include "whittle/ScanOrder.hh"
 #include "whittle/ShortEdges.hh"
 #include "whittle/Surface.hh"
+#include "whittle/TrianglePlacement.hh"
 #include "whittle/errors.hh"
-#include "whittle/triangle.hh"
 
 namespace whittle {
 
 /// Planner of IVDD (Paper 1, III.III).
 ///
-/// Triangles are scanned in index order. Where two or more edges between free vertices are shorter than
-/// `max_distance`, the three vertices fold to the triangle's centre; else the shortest edge below it folds to
-/// its midpoint. A vertex folds at most once a pass (*vertex lock*). A triangle that the flip guard or the
-/// link condition refuses folds its shortest edge instead, if that is allowed.
+/// Triangles are scanned in index order, or the one of least error first. Where two or more edges between
+/// free vertices are shorter than `max_distance`, the three vertices fold to the triangle's centre; else the
+/// shortest edge below it folds to its midpoint. A vertex folds at most once a pass (*vertex lock*). A
+/// triangle that the flip guard or the link condition refuses folds its shortest edge instead, if that is
+/// allowed.
 struct VertexDistance {
   double max_distance = 0;  ///< model units, >= 0; an edge must be shorter than this. 0 folds nothing.
-  enum class Placement {
-    enclosing,    ///< centre of the smallest enclosing circle; never outside of the triangle
-    circumcenter  ///< the paper's words; far off the surface for obtuse triangles, so the guard refuses many
-  } placement = Placement::enclosing;
+  using Placement = TrianglePlacement;
+  Placement placement = Placement::enclosing;
+  ScanOrder order = ScanOrder::index;
   Boundary boundary = Boundary::keep;  ///< `merge`: boundary edges fold to their midpoint
   FlipGuard guard;
 
@@ -56,30 +57,34 @@ CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
   std::vector<std::uint8_t> folded(surface.n_vertices(), false);
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
-  for (std::uint32_t f = 0; f < surface.n_faces(); ++f) {
+  const auto is_triangle = [&](const ShortEdges& edges, std::uint32_t f) {
+    return edges.count >= 2 && !surface.is_boundary(surface.triangle(f)[0]);
+  };
+  const auto cost = [&](std::uint32_t f) {
     const ShortEdges edges(surface, f, max_distance, boundary, folded);
-    if (edges.count == 0) continue;
-
+    if (edges.count == 0) return HUGE_VAL;
+    const auto error = [&](const auto& members) {
+      const Eigen::Vector3d target = place(surface, members, placement);
+      return PlaneQuadric(surface, members, target).error(target);
+    };
+    return is_triangle(edges, f) ? error(surface.triangle(f)) : error(edges.ends(surface.triangle(f)));
+  };
+  scan(surface.n_faces(), order, cost, [&](std::uint32_t f) {
+    const ShortEdges edges(surface, f, max_distance, boundary, folded);
+    if (edges.count == 0) return;
     const auto& t = surface.triangle(f);
-    Verdict triangle = Verdict::accepted;
-    if (edges.count >= 2 && !surface.is_boundary(t[0])) {
-      const Eigen::Vector3d a = surface.point(t[0]), b = surface.point(t[1]), c = surface.point(t[2]);
-      const bool literal = placement == Placement::circumcenter;
-      triangle = draft.merge({t[0], t[1], t[2]}, literal ? circumcenter(a, b, c) : enclosing_center(a, b, c));
-      if (triangle == Verdict::accepted) {
-        folded[t[0]] = folded[t[1]] = folded[t[2]] = true;
-        continue;
-      }
+    const bool triangle = is_triangle(edges, f);
+    if (triangle && draft.merge(t, place(surface, t, placement)) == Verdict::accepted) {
+      folded[t[0]] = folded[t[1]] = folded[t[2]] = true;
+      return;
     }
-    const std::uint32_t a = t[edges.shortest], b = t[(edges.shortest + 1) % 3];
-    const Verdict edge = draft.merge({a, b}, (surface.point(a) + surface.point(b)) / 2);
-    if (edge == Verdict::accepted) {
-      folded[a] = folded[b] = true;
-      if (triangle != Verdict::accepted) draft.count_fallback();
-    } else {
-      draft.count_refusal(edge);
-    }
-  }
+    const auto ends = edges.ends(t);
+    const Verdict verdict = draft.merge(ends, place(surface, ends, placement));
+    draft.count_refusal(verdict);
+    if (verdict != Verdict::accepted) return;
+    folded[ends[0]] = folded[ends[1]] = true;
+    if (triangle) draft.count_fallback();
+  });
   return draft.take();
 }
 

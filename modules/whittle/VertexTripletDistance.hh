@@ -9,8 +9,8 @@
 #include "whittle/PlanDraft.hh"
 #include "whittle/ShortEdges.hh"
 #include "whittle/Surface.hh"
+#include "whittle/TrianglePlacement.hh"
 #include "whittle/errors.hh"
-#include "whittle/triangle.hh"
 
 namespace whittle {
 
@@ -27,10 +27,8 @@ struct VertexTripletDistance {
     shortest,  ///< the shortest edge
     literal  ///< the paper's words: of the first short edge's two neighbours, the longer. Doubles the error.
   } fold = Fold::shortest;
-  enum class Placement {
-    enclosing,    ///< centre of the smallest enclosing circle
-    circumcenter  ///< the paper's words
-  } placement = Placement::enclosing;
+  using Placement = TrianglePlacement;
+  Placement placement = Placement::enclosing;
   Boundary boundary = Boundary::keep;  ///< `merge`: boundary edges fold to their midpoint
   FlipGuard guard;
 
@@ -88,9 +86,7 @@ CollapsePlan VertexTripletDistance::plan(const SurfaceT<Real>& surface) const {
     Verdict triangle = Verdict::accepted;
     int edge = -1;
     if (edges.count == 3 && !surface.is_boundary(t[0])) {
-      const Eigen::Vector3d a = surface.point(t[0]), b = surface.point(t[1]), c = surface.point(t[2]);
-      const bool literal = placement == Placement::circumcenter;
-      triangle = draft.merge({t[0], t[1], t[2]}, literal ? circumcenter(a, b, c) : enclosing_center(a, b, c));
+      triangle = draft.merge(t, place(surface, t, placement));
       if (triangle == Verdict::accepted) {
         merged[t[0]] = merged[t[1]] = merged[t[2]] = true;
         continue;
@@ -102,7 +98,8 @@ CollapsePlan VertexTripletDistance::plan(const SurfaceT<Real>& surface) const {
     const std::uint32_t a = t[edge], b = t[(edge + 1) % 3];
     if (merged[a] || merged[b] || !surface.may_merge(a, b, boundary))
       continue;  // literal: the edge is not short itself
-    const Verdict verdict = draft.merge({a, b}, (surface.point(a) + surface.point(b)) / 2);
+    const std::array<std::uint32_t, 2> ends{a, b};
+    const Verdict verdict = draft.merge(ends, place(surface, ends, placement));
     draft.count_refusal(verdict);
     if (verdict != Verdict::accepted) continue;
     merged[a] = merged[b] = true;
