@@ -9,8 +9,8 @@ packages=(
   build-essential clang clang-format clang-tidy cmake ninja-build ccache git pkg-config
   # The library: OpenMesh's headers lean on Eigen.
   libopenmesh-dev libeigen3-dev
-  # The programs: command line, JSON, distances (the Embree package brings TBB), PNG, vertex-cache order and a peer.
-  libcli11-dev nlohmann-json3-dev libembree-dev libpng-dev libmeshoptimizer-dev
+  # The programs: command line, JSON, glTF, distances (the Embree package brings TBB), PNG, vertex-cache order and a peer.
+  libcli11-dev nlohmann-json3-dev libtinygltf-dev libembree-dev libpng-dev libmeshoptimizer-dev
   # Rendering: EGL without a window system, the software renderer, the viewer's window.
   libegl-dev libegl1 libgl1-mesa-dri libepoxy-dev libglfw3-dev libimgui-dev libfreetype-dev
   # A font that can be read, and a display for tests.

@@ -13,9 +13,9 @@
 namespace whittle::attributes {
 
 enum class Kind {
-  normal,   ///< 3 components, unit length
+  normal,   ///< 3 components, unit length as far as the file keeps to it, zero where it says none
   colour,   ///< 3 or 4 components, 0..1: red, green, blue, opacity
-  texture,  ///< 2 components, as the file counts them (OBJ: v grows upwards)
+  texture,  ///< 2 components, as the file counts them; see `downwards`
   scalar    ///< 1 component, of any meaning, told apart by its name
 };
 
@@ -26,6 +26,7 @@ struct Attribute {
   std::string name;                            ///< of a scalar, as in the file: "quality"
   std::size_t components = 1;                  ///< of a value
   bool bytes = false;                          ///< colours only: the file has 0..255, so 8 bits say all
+  bool downwards = false;                      ///< texture only: v grows downwards, as glTF counts it
   std::vector<float> values;                   ///< `components` for each
   std::vector<IndexedMesh::Triangle> corners;  ///< for each face its corners' values; empty: value i is
                                                ///< vertex i's, and there is one for each vertex

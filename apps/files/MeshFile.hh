@@ -1,5 +1,6 @@
 /// \file
-/// Reading and writing meshes: OBJ, PLY (ASCII and binary), OFF and STL (ASCII and binary).
+/// Reading and writing meshes with their attributes: OBJ, PLY, OFF, STL, OpenMesh's OM and glTF 2.0.
+/// What each format holds and every rule of reading and repair: docs/files.md.
 ///
 /// The readers are our own because OpenMesh's crash or hang on damaged files. They read the whole file into
 /// memory first, trust no count in it, and never allocate more than a small multiple of the file's size.
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "attributes/Attribute.hh"
 #include "whittle/IndexedMesh.hh"
 
 namespace whittle::files {
@@ -22,13 +24,42 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What to do about a mesh that is not as it should be. In all modes polygons become fans and triangles that
+/// name a vertex twice go.
+enum class Repair {
+  none,  ///< nothing else is looked at; an index out of range or a coordinate that is not finite is an error
+  report,  ///< the same errors; duplicated faces and what is not manifold stay, and are counted
+  fix      ///< no such errors: what is broken goes, duplicates go, and the rest is cut until it is manifold
+};
+
+/// "none", "report" or "fix".
+std::string to_string(Repair repair);
+
+struct ReadOptions {
+  Repair repair = Repair::report;
+};
+
 /// What was in the file that the mesh does not hold as it stood there. Nothing is lost silently: `notes()`.
 struct ReadReport {
   std::string format;                  ///< for people: "OBJ", "PLY, binary little endian"
+  Repair repair = Repair::report;      ///< as asked for; says what became of what is counted below
   std::size_t polygons = 0;            ///< faces with more than three corners, split into fans
   std::size_t dropped_degenerate = 0;  ///< triangles that name a vertex twice, left out
-  std::size_t merged_vertices = 0;     ///< STL only: corners joined because they are bitwise equal
-  std::vector<std::string> ignored;    ///< attributes not read: "vertex normals", "texture coordinates"
+  std::size_t merged_vertices = 0;     ///< STL and glTF: corners joined because they are at the same place
+  std::size_t parts = 0;               ///< glTF: pieces of the scene, where more than one became this mesh
+  std::size_t missing_values = 0;      ///< corners or vertices to which the file gives no value; they got one
+  std::size_t zeroed_values = 0;       ///< normals, colours, texture coordinates not finite; read as 0
+
+  std::size_t broken_faces = 0;          ///< fix: use a vertex that is missing or not finite; left out
+  std::size_t duplicate_faces = 0;       ///< on the same three vertices as an earlier one; fix: left out
+  std::size_t nonmanifold_edges = 0;     ///< of three faces or more, or of two that disagree; fix: mended
+  std::size_t nonmanifold_vertices = 0;  ///< between fans of faces that share no edge; fix: mended
+  std::size_t turned_faces = 0;          ///< fix: turned round to agree with their neighbours
+  std::size_t copied_vertices = 0;       ///< fix: made where the mesh was cut
+  std::size_t dropped_vertices = 0;      ///< fix: not finite, or of no face; left out
+
+  std::vector<std::string> ignored;  ///< what is not read: "groups", "face colours"
+  std::vector<std::string> rounded;  ///< attributes with values that a 32-bit float does not hold
 
   /// One short line for each thing above that happened; empty where the mesh is the file as it stands.
   std::vector<std::string> notes() const;
@@ -36,26 +67,52 @@ struct ReadReport {
 
 struct MeshFile {
   IndexedMesh mesh;
-  bool single_precision = false;  ///< the file holds 32-bit floats, so writing more digits adds nothing
+  attributes::Attributes attributes;  ///< at corners only where the corners of a vertex differ
+  bool single_precision = false;      ///< the file holds 32-bit floats, so writing more digits adds nothing
   ReadReport report;
 };
 
-/// Reads a mesh; the format is told by the content where that is certain (PLY, OFF), else by the extension.
-/// \throw FileError  missing, unreadable, unknown format, damaged, cut off, an index out of range, a
-///                   coordinate that is not finite.
-MeshFile read_mesh(const std::filesystem::path& path);
+/// Reads a mesh; the format is told by the content where that is certain, else by the extension.
+/// \param path  "-" is standard input, where only the content tells the format
+/// \throw FileError  missing, unreadable, unknown format, damaged, cut off; see Repair for the rest
+MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 struct WriteOptions {
-  bool ascii = false;             ///< PLY and STL are binary unless this is set; OBJ and OFF are always text
+  bool ascii = false;             ///< PLY and STL are binary unless this is set
   bool single_precision = false;  ///< write 32-bit floats (text: the shortest that reads back the same float)
+  std::string format = {};        ///< "ply", "glb", …: instead of what the extension says
 };
 
-/// Writes a mesh whole or not at all: to a temporary file beside the target, flushed, then renamed.
-/// \throw FileError  unknown extension, folder missing or not writable, disk full.
-void write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options = {});
+/// What a file could not take.
+struct WriteReport {
+  std::vector<std::string> left_out;  ///< "colours", "property 'quality'"
+  std::vector<std::string> reduced;   ///< lines: "coordinates rounded to 32-bit floats"
+
+  /// One short line for each thing above.
+  std::vector<std::string> notes() const;
+};
+
+/// Writes a mesh whole or not at all: beside the target, flushed, then renamed.
+/// \param path  "-" is standard output, for which options.format must be set; it is written as it is, without
+///              the guarantee
+/// \throw FileError  unknown format, folder missing or not writable, disk full.
+WriteReport write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
+                       const WriteOptions& options = {}, const attributes::Attributes& attributes = {});
+
+/// One level of detail.
+struct Level {
+  IndexedMesh mesh;
+  attributes::Attributes attributes = {};
+  double error = 0;  ///< how far it lies from the first level, in model units
+};
+
+/// Writes levels of detail into one GLB with the extension MSFT_lod, the finest first. read_mesh reads the
+/// first and notes the others.
+/// \throw FileError  as write_mesh; also where there is no level
+WriteReport write_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels);
 
 /// Throws what write_mesh would throw for a target that cannot be written, before any work is done.
-void check_writable(const std::filesystem::path& path);
+void check_writable(const std::filesystem::path& path, const WriteOptions& options = {});
 
 /// The same for write_file, which asks nothing of the extension. Both leave nothing behind.
 /// \throw FileError

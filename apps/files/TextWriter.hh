@@ -14,7 +14,7 @@ namespace whittle::files {
 
 class TextWriter {
  public:
-  /// \param single_precision  the digits need only name the nearest float
+  /// \param single_precision  the digits of a coordinate need only name the nearest float
   explicit TextWriter(bool single_precision) : single_precision_(single_precision) {}
 
   TextWriter& operator<<(std::string_view text) {
@@ -22,18 +22,32 @@ class TextWriter {
     return *this;
   }
   TextWriter& operator<<(std::uint64_t count) { return number(count); }
+  TextWriter& operator<<(float value) { return number(value); }
+
+  /// With a decimal point or an exponent, also where the value is whole.
+  TextWriter& with_point(float value) {
+    const std::size_t begin = text_.size();
+    number(value);
+    return text_.find_first_of(".e", begin) == std::string::npos ? *this << ".0" : *this;
+  }
 
   /// Three coordinates with blanks between them.
   TextWriter& operator<<(const IndexedMesh::Point& point) {
-    real(point.x()) << " ";
-    real(point.y()) << " ";
-    return real(point.z());
+    coordinate(point.x()) << " ";
+    coordinate(point.y()) << " ";
+    return coordinate(point.z());
+  }
+
+  /// Some floats, each with a blank before it.
+  TextWriter& floats(const float* values, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) *this << " " << values[i];
+    return *this;
   }
 
   std::string take() { return std::move(text_); }
 
  private:
-  TextWriter& real(double value) {
+  TextWriter& coordinate(double value) {
     return single_precision_ ? number(static_cast<float>(value)) : number(value);
   }
 

@@ -86,10 +86,11 @@ void write_stream(const fs::path& path, const std::string& bytes) {
   if (file.close() != 0) throw_errno();
 }
 
-/// A new file in a folder, removed again unless it gets its place.
+/// A new file in a folder that is gone again unless it gets its place. Where the file system can, it has no
+/// name until it is whole, so that not even a killed process leaves it behind.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& folder) : file_(create(folder)) {}
+  explicit TemporaryFile(const fs::path& folder) : folder_(folder), file_(create()) {}
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
@@ -98,20 +99,31 @@ class TemporaryFile {
 
   int descriptor() const { return file_.get(); }
 
-  void flush_and_close() {
-    if (::fsync(file_.get()) != 0 || file_.close() != 0) throw_errno();
+  void flush() {
+    if (::fsync(file_.get()) != 0) throw_errno();
   }
 
   void move_to(const fs::path& target) {
+    if (path_.empty() && name_it(target)) return close();
+    // Only a name can be moved over the old file.
+    for (int i = 0; path_.empty(); ++i) {
+      const fs::path candidate = free_name(i);
+      if (name_it(candidate)) path_ = candidate;
+    }
+    close();
     if (std::rename(path_.c_str(), target.c_str()) != 0) throw_errno();
     path_.clear();
   }
 
  private:
-  /// The name does not grow with the target's, which may be as long as names can be.
-  int create(const fs::path& folder) {
+  int create() {
+    // Through /proc it gets its name later.
+    if (::access("/proc/self/fd", X_OK) == 0) {
+      const int file = ::open(folder_.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+      if (file >= 0) return file;
+    }
     for (int i = 0;; ++i) {
-      path_ = folder / (".whittle-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp");
+      path_ = free_name(i);
       const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (file >= 0) return file;
       if (errno == EEXIST) continue;
@@ -120,7 +132,25 @@ class TemporaryFile {
     }
   }
 
-  fs::path path_;
+  /// The name does not grow with the target's, which may be as long as names can be.
+  fs::path free_name(int number) const {
+    return folder_ / (".whittle-" + std::to_string(::getpid()) + "-" + std::to_string(number) + ".tmp");
+  }
+
+  /// False if there is a file of this name.
+  bool name_it(const fs::path& path) {
+    const std::string opened = "/proc/self/fd/" + std::to_string(file_.get());
+    if (::linkat(AT_FDCWD, opened.c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
+    if (errno != EEXIST) throw_errno();
+    return false;
+  }
+
+  void close() {
+    if (file_.close() != 0) throw_errno();
+  }
+
+  fs::path folder_;
+  fs::path path_;  ///< empty: it has no name
   Descriptor file_;
 };
 
@@ -137,7 +167,7 @@ void replace(const Target& target, const std::string& bytes) {
   // Before the bytes are in it: a private file must not be open to all for a moment.
   if (target.exists && ::fchmod(file.descriptor(), target.permissions) != 0) throw_errno();
   write_all(file.descriptor(), bytes);
-  file.flush_and_close();
+  file.flush();
   file.move_to(target.path);
   flush_folder(folder);
 }

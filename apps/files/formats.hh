@@ -10,32 +10,73 @@
 
 namespace whittle::files {
 
-/// Readers keep `line` at the line they are on, for the error message; 0 where the file is not text.
+enum class Format { obj, off, ply, stl, om, glb, gltf };
+
+/// The format that an extension names, in any case of letters, with its dot.
+/// \throw Fault  it names none
+Format format_of_extension(const std::string& extension);
+
+/// The format that the content names without doubt.
+/// \return false if it names none
+bool format_of_content(std::string_view bytes, Format& format);
+
+/// As format_of_content, but also takes what is only likely: for streams, which have no extension.
+/// \throw Fault  it is like none
+Format likely_format(std::string_view bytes);
+
+/// Reads and repairs. Keeps `line` at the line it is on, for the error message; 0 where the file is not text.
+MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line);
+
+/// The readers; what is left to do behind them is repair().
 /// \{
-MeshFile read_obj(std::string_view bytes, std::size_t& line);
-MeshFile read_off(std::string_view bytes, std::size_t& line);
-MeshFile read_ply(std::string_view bytes, std::size_t& line);
-MeshFile read_stl(std::string_view bytes, std::size_t& line);
+MeshFile read_obj(std::string_view bytes, const ReadOptions& options, std::size_t& line);
+MeshFile read_off(std::string_view bytes, const ReadOptions& options, std::size_t& line);
+MeshFile read_ply(std::string_view bytes, const ReadOptions& options, std::size_t& line);
+MeshFile read_stl(std::string_view bytes, const ReadOptions& options, std::size_t& line);
+MeshFile read_om(std::string_view bytes, const ReadOptions& options);
+MeshFile read_glb(std::string_view bytes, const ReadOptions& options);   ///< the binary container
+MeshFile read_gltf(std::string_view bytes, const ReadOptions& options);  ///< JSON with all data inside
 /// \}
 
 /// True if the content alone says so, whatever the file is called.
 /// \{
 bool is_off(std::string_view bytes);
 bool is_ply(std::string_view bytes);
+bool is_om(std::string_view bytes);
+bool is_glb(std::string_view bytes);
 /// \}
 
-/// Writers expect what check_mesh (write.cc) has let through: indices in range, coordinates finite.
+/// True if the content looks like it. Any text may be an OBJ file, and any bytes an STL file.
 /// \{
-std::string obj_bytes(const IndexedMesh& mesh, const WriteOptions& options);
-std::string off_bytes(const IndexedMesh& mesh, const WriteOptions& options);
-std::string ply_bytes(const IndexedMesh& mesh, const WriteOptions& options);
-std::string stl_bytes(const IndexedMesh& mesh, const WriteOptions& options);
+bool may_be_obj(std::string_view bytes);
+bool may_be_stl(std::string_view bytes);
 /// \}
 
-enum class Format { obj, off, ply, stl };
+/// Writes; makes sure first that a reader will take it back.
+std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                       const WriteOptions& options, Format format, WriteReport& report);
 
-/// The format that the extension names, in any case of letters.
-/// \throw Fault  it names none
-Format format_of_extension(const std::string& extension);
+/// The writers. They are given indices in range, values that fit the mesh and are finite but for scalars.
+/// \{
+std::string obj_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                      const WriteOptions& options, WriteReport& report);
+std::string off_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                      const WriteOptions& options, WriteReport& report);
+std::string ply_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                      const WriteOptions& options, WriteReport& report);
+std::string stl_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                      const WriteOptions& options, WriteReport& report);
+std::string om_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                     const WriteOptions& options, WriteReport& report);
+
+/// A level without its data.
+struct LevelView {
+  const IndexedMesh* mesh;
+  const attributes::Attributes* attributes;
+  double error;
+};
+
+std::string glb_bytes(const std::vector<LevelView>& levels, WriteReport& report);
+/// \}
 
 }  // namespace whittle::files

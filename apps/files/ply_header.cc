@@ -60,6 +60,7 @@ class HeaderReader {
 
  private:
   void read_statement(std::string_view keyword) {
+    if (keyword == "comment" && in_.word() == "TextureFile") header_.texture_file = true;
     if (keyword == "comment" || keyword == "obj_info") return;
     if (keyword == "format")
       read_format();

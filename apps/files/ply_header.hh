@@ -36,6 +36,7 @@ enum class PlyEncoding { ascii, little_endian, big_endian };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
+  bool texture_file = false;  ///< a comment names an image, as MeshLab writes it
 
   /// The element of this name, null if there is none.
   const PlyElement* find(const std::string& name) const;

@@ -4,37 +4,33 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <new>
 
 #include "files/Descriptor.hh"
 #include "files/Fault.hh"
 #include "files/formats.hh"
+#include "files/repair.hh"
 
 namespace whittle::files {
 namespace {
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-/// Regular files and pipes only: a device such as /dev/zero has no end.
-std::string read_bytes(const std::filesystem::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) throw Fault(error_text(errno));
+/// All that comes from a descriptor. A device such as /dev/zero has no end, so only what has one is read.
+std::string read_all(int file) {
   struct stat status {};
-  if (::fstat(file.get(), &status) != 0) throw Fault(error_text(errno));
+  if (::fstat(file, &status) != 0) throw Fault(error_text(errno));
   if (S_ISDIR(status.st_mode)) throw Fault(error_text(EISDIR));
-  if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode)) throw Fault("neither a file nor a pipe");
+  const bool regular = S_ISREG(status.st_mode);
+  if (!regular && !S_ISFIFO(status.st_mode) && !S_ISSOCK(status.st_mode))
+    throw Fault("neither a file nor a pipe");
 
-  constexpr std::size_t pipe_chunk = 1 << 16;
-  const std::size_t size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
-  std::string bytes(size, '\0');
+  constexpr std::size_t chunk = 1 << 16;
+  std::string bytes(regular ? static_cast<std::size_t>(status.st_size) : 0, '\0');
   std::size_t used = 0;
   for (;;) {
-    if (S_ISFIFO(status.st_mode) && bytes.size() - used < pipe_chunk)
-      bytes.resize(2 * bytes.size() + pipe_chunk);
-    const ssize_t got = ::read(file.get(), bytes.data() + used, bytes.size() - used);
+    if (!regular && bytes.size() - used < chunk) bytes.resize(2 * bytes.size() + chunk);
+    const ssize_t got = ::read(file, bytes.data() + used, bytes.size() - used);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw Fault(error_text(errno));
     if (got == 0) break;
@@ -45,51 +41,64 @@ std::string read_bytes(const std::filesystem::path& path) {
   return bytes;
 }
 
-MeshFile read_format(const std::string& bytes, const std::string& extension, std::size_t& line) {
-  if (is_ply(bytes)) return read_ply(bytes, line);
-  if (is_off(bytes)) return read_off(bytes, line);
-  switch (format_of_extension(extension)) {
+std::string read_path(const std::filesystem::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) throw Fault(error_text(errno));
+  return read_all(file.get());
+}
+
+MeshFile read_format(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line) {
+  switch (format) {
     case Format::obj:
-      return read_obj(bytes, line);
+      return read_obj(bytes, options, line);
     case Format::off:
-      return read_off(bytes, line);
+      return read_off(bytes, options, line);
     case Format::ply:
-      return read_ply(bytes, line);
+      return read_ply(bytes, options, line);
     case Format::stl:
+      return read_stl(bytes, options, line);
+    case Format::om:
+      return read_om(bytes, options);
+    case Format::glb:
+      return read_glb(bytes, options);
+    case Format::gltf:
       break;
   }
-  return read_stl(bytes, line);
+  return read_gltf(bytes, options);
+}
+
+MeshFile read_named(const std::filesystem::path& path, const ReadOptions& options, std::size_t& line) {
+  if (path == "-") {
+    const std::string bytes = read_all(STDIN_FILENO);
+    return parse(bytes, likely_format(bytes), options, line);
+  }
+  const std::string bytes = read_path(path);
+  Format format{};
+  if (!format_of_content(bytes, format)) format = format_of_extension(path.extension().string());
+  return parse(bytes, format, options, line);
 }
 
 }  // namespace
 
-MeshFile read_mesh(const std::filesystem::path& path) {
-  std::size_t line = 0;
-  try {
-    return read_format(read_bytes(path), path.extension().string(), line);
-  } catch (const Fault& fault) {
-    throw FileError(path.string() + (line > 0 ? ":" + std::to_string(line) : "") + ": " + fault.what());
-  } catch (const std::bad_alloc&) {
-    throw FileError(path.string() + ": does not fit in memory");
-  } catch (const std::length_error&) {  // a sparse file can claim any size
-    throw FileError(path.string() + ": does not fit in memory");
-  }
+MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line) {
+  MeshFile file = read_format(bytes, format, options, line);
+  line = 0;
+  repair(file, options.repair);
+  return file;
 }
 
-std::vector<std::string> ReadReport::notes() const {
-  std::vector<std::string> notes;
-  if (polygons > 0)
-    notes.push_back(counted(polygons, "face", "faces") +
-                    " with more than three corners split into triangles");
-  if (dropped_degenerate > 0)
-    notes.push_back(counted(dropped_degenerate, "triangle that names", "triangles that name") +
-                    " a vertex twice left out");
-  if (merged_vertices > 0)
-    notes.push_back(counted(merged_vertices, "corner", "corners") + " joined with an equal one");
-  std::string list;
-  for (const std::string& attribute : ignored) list += (list.empty() ? "not read: " : ", ") + attribute;
-  if (!list.empty()) notes.push_back(list);
-  return notes;
+MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  const std::string name = path == "-" ? "standard input" : path.string();
+  std::size_t line = 0;
+  try {
+    return read_named(path, options, line);
+  } catch (const Fault& fault) {
+    throw FileError(name + (line > 0 ? ":" + std::to_string(line) : "") + ": " + fault.what());
+  } catch (const std::bad_alloc&) {
+    throw FileError(name + ": does not fit in memory");
+  } catch (const std::length_error&) {  // a sparse file can claim any size
+    throw FileError(name + ": does not fit in memory");
+  }
 }
 
 }  // namespace whittle::files

@@ -1,16 +1,16 @@
 /// \file
 /// STL, as text and binary. It names no vertices: corners that are bitwise equal become one.
 #include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <vector>
 
+#include "files/Choice.hh"
 #include "files/Fault.hh"
+#include "files/MeshBuilder.hh"
+#include "files/PointMerger.hh"
 #include "files/TextReader.hh"
 #include "files/TextWriter.hh"
-#include "files/build.hh"
 #include "files/bytes.hh"
 #include "files/formats.hh"
 
@@ -21,67 +21,12 @@ constexpr std::size_t header_bytes = 80;
 constexpr std::size_t preamble_bytes = header_bytes + 4;  // and the count
 constexpr std::size_t triangle_bytes = 50;                // normal, three corners, attribute
 
-using Corner = std::array<float, 3>;
 using Point = IndexedMesh::Point;
-
-/// Gives equal corners the same vertex, in the order in which they come. An open hash table of indices,
-/// because a node for each vertex would take several times the file.
-class CornerMerger {
- public:
-  explicit CornerMerger(MeshFile& file) : file_(file), slots_(1024, free_slot) {}
-
-  std::uint32_t vertex(const Corner& corner) {
-    std::vector<Point>& points = file_.mesh.points;
-    const Point point(corner[0], corner[1], corner[2]);
-    std::uint32_t* slot = find(point);
-    if (*slot != free_slot) {
-      ++file_.report.merged_vertices;
-      return *slot;
-    }
-    add_point(file_, point.x(), point.y(), point.z());
-    const std::uint32_t added = *slot = static_cast<std::uint32_t>(points.size() - 1);
-    if (points.size() > slots_.size() / 2) grow();
-    return added;
-  }
-
- private:
-  static constexpr std::uint32_t free_slot = std::numeric_limits<std::uint32_t>::max();
-
-  /// Comparing as numbers makes -0.0 equal to 0.0; the hash must agree, and x + 0.0 turns -0.0 into 0.0.
-  static std::uint64_t hash(const Point& point) {
-    std::uint64_t hash = 0;
-    for (const double value : point) {
-      const double positive_zero = value + 0.0;
-      std::uint64_t bits;
-      std::memcpy(&bits, &positive_zero, sizeof(bits));
-      hash = (hash ^ bits) * 0x9e3779b97f4a7c15U;
-      hash ^= hash >> 32;
-    }
-    return hash;
-  }
-
-  /// The slot of this point, or the free one where it belongs.
-  std::uint32_t* find(const Point& point) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t at = hash(point) & mask;
-    while (slots_[at] != free_slot && file_.mesh.points[slots_[at]] != point) at = (at + 1) & mask;
-    return &slots_[at];
-  }
-
-  void grow() {
-    slots_.assign(2 * slots_.size(), free_slot);
-    for (std::size_t i = 0; i < file_.mesh.points.size(); ++i)
-      *find(file_.mesh.points[i]) = static_cast<std::uint32_t>(i);
-  }
-
-  MeshFile& file_;
-  std::vector<std::uint32_t> slots_;
-};
 
 class TextStl {
  public:
-  TextStl(std::string_view bytes, std::size_t& line, MeshFile& file)
-      : in_(bytes, line, {}), file_(file), merger_(file) {}
+  TextStl(std::string_view bytes, std::size_t& line, MeshBuilder& builder)
+      : in_(bytes, line, {}), builder_(builder), merger_(builder) {}
 
   /// One solid or several.
   void read() {
@@ -110,11 +55,11 @@ class TextStl {
       const float x = in_.real<float>();
       const float y = in_.real<float>();
       const float z = in_.real<float>();
-      corners_.push_back(merger_.vertex({x, y, z}));
+      corners_.push_back(merger_.vertex(x, y, z));
     }
     check(word, "endloop");
     expect("endfacet");
-    add_face(file_, corners_);
+    builder_.add_face(corners_);
   }
 
   /// The rest is the name of the solid.
@@ -131,37 +76,38 @@ class TextStl {
   }
 
   TextReader in_;
-  MeshFile& file_;
-  CornerMerger merger_;
+  MeshBuilder& builder_;
+  PointMerger merger_;
   std::vector<std::uint32_t> corners_;
 };
-
-Corner load_corner(const char* from) {
-  return {load<float>(from, ByteOrder::little), load<float>(from + 4, ByteOrder::little),
-          load<float>(from + 8, ByteOrder::little)};
-}
 
 std::uint32_t declared_triangles(std::string_view bytes) {
   return load<std::uint32_t>(bytes.data() + header_bytes, ByteOrder::little);
 }
 
-void read_binary(std::string_view bytes, MeshFile& file) {
+void read_binary(std::string_view bytes, MeshBuilder& builder) {
   if (bytes.size() < preamble_bytes) throw Fault("the file is cut off: too short for an STL header");
   const std::size_t count = declared_triangles(bytes);
   bytes.remove_prefix(preamble_bytes);
   if (count > bytes.size() / triangle_bytes)
     throw Fault("the file is cut off: it has room for " + std::to_string(bytes.size() / triangle_bytes) +
                 " of " + std::to_string(count) + " triangles");
-  file.mesh.triangles.reserve(count);
-  CornerMerger merger(file);
+  builder.mesh().triangles.reserve(count);
+  PointMerger merger(builder);
   std::vector<std::uint32_t> corners(3);
   for (std::size_t i = 0; i < count; ++i) {
     const char* triangle = bytes.data() + i * triangle_bytes;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = merger.vertex(load_corner(triangle + 12 * (k + 1)));
-    add_face(file, corners);
-    if (load<std::uint16_t>(triangle + 48, ByteOrder::little) != 0) ignore(file, "face attributes");
+    const auto coordinate = [&](std::size_t number) {
+      return load<float>(triangle + sizeof(float) * number, ByteOrder::little);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t x = 3 * (k + 1);  // the normal comes first
+      corners[k] = merger.vertex(coordinate(x), coordinate(x + 1), coordinate(x + 2));
+    }
+    builder.add_face(corners);
+    if (load<std::uint16_t>(triangle + 48, ByteOrder::little) != 0) builder.ignore("face attributes");
   }
-  if (bytes.size() > count * triangle_bytes) ignore(file, "bytes after the last triangle");
+  if (bytes.size() > count * triangle_bytes) builder.ignore("bytes after the last triangle");
 }
 
 /// Many binary files begin with "solid" too. They have the size that their count asks for, or a zero byte in
@@ -214,20 +160,30 @@ std::string binary_stl(const IndexedMesh& mesh) {
 
 }  // namespace
 
-MeshFile read_stl(std::string_view bytes, std::size_t& line) {
+bool may_be_stl(std::string_view bytes) {
+  if (is_text(bytes)) return true;
+  // A byte that no text has makes it binary, cut off or not.
+  return bytes.substr(0, preamble_bytes).find('\0') != std::string_view::npos;
+}
+
+MeshFile read_stl(std::string_view bytes, const ReadOptions& options, std::size_t& line) {
   MeshFile file;
   file.single_precision = true;
+  MeshBuilder builder(file, options);
   if (is_text(bytes)) {
     file.report.format = "STL, ASCII";
-    TextStl(bytes, line, file).read();
+    TextStl(bytes, line, builder).read();
   } else {
     file.report.format = "STL, binary";
-    read_binary(bytes, file);
+    read_binary(bytes, builder);
   }
   return file;
 }
 
-std::string stl_bytes(const IndexedMesh& mesh, const WriteOptions& options) {
+std::string stl_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                      const WriteOptions& options, WriteReport& report) {
+  choose(attributes, {}, report);
+  note_rounding(mesh, report);
   return options.ascii ? text_stl(mesh) : binary_stl(mesh);
 }
 

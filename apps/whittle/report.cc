@@ -79,6 +79,18 @@ Json to_json(const files::ReadReport& r) {
           {"polygons_split", r.polygons},
           {"degenerate_faces_dropped", r.dropped_degenerate},
           {"vertices_merged", r.merged_vertices},
+          {"parts_joined", r.parts},
+          {"values_missing", r.missing_values},
+          {"values_not_finite", r.zeroed_values},
+          {"repair", files::to_string(r.repair)},
+          {"broken_faces_dropped", r.broken_faces},
+          {"duplicate_faces", r.duplicate_faces},
+          {"nonmanifold_edges", r.nonmanifold_edges},
+          {"nonmanifold_vertices", r.nonmanifold_vertices},
+          {"faces_turned", r.turned_faces},
+          {"vertices_copied", r.copied_vertices},
+          {"vertices_dropped", r.dropped_vertices},
+          {"attributes_rounded", r.rounded},
           {"attributes_ignored", r.ignored}};
 }
 

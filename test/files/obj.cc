@@ -21,15 +21,21 @@ TEST_CASE("OBJ: a triangle") {
 
 TEST_CASE("OBJ: corners in all four forms") {
   const Folder folder;
-  const MeshFile file = folder.read(
-      "a.obj", three + "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 2/1/1 3/1/1\n");
+  const MeshFile file = folder.read("a.obj", three +
+                                                 "vt 0.5 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3/1\n"
+                                                 "f 1//1 2//1 3//1\nf 1/1/1 2/1/1 3/1/1\n");
   CHECK(file.mesh.triangles == Triangles(4, {0, 1, 2}));
-  CHECK(file.report.ignored == Names{"texture coordinates", "vertex normals"});
+  CHECK(file.report.ignored.empty());
+  CHECK(file.report.missing_values == 12);  // two faces have no texture coordinates, two no normals
+  REQUIRE(file.attributes.size() == 2);
+  CHECK(file.attributes[0].values == std::vector<float>{0, 0, 0.5F, 0});
+  CHECK(file.attributes[0].corners == Triangles{{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {1, 1, 1}});
+  CHECK(file.attributes[1].values == std::vector<float>{0, 0, 0, 0, 0, 1});
 }
 
 TEST_CASE("OBJ: negative indices count back from the last vertex read") {
   const Folder folder;
-  const MeshFile file = folder.read("a.obj", three + "f -3 -2 -1\nv 5 5 5\nf -1 -2/-7 -3\n");
+  const MeshFile file = folder.read("a.obj", three + "f -3 -2 -1\nv 5 5 5\nf -1 -2/7 -3\n");
   CHECK(file.mesh.triangles == Triangles{{0, 1, 2}, {3, 2, 1}});
 }
 
@@ -42,7 +48,8 @@ TEST_CASE("OBJ: a face may come before its vertices") {
 
 TEST_CASE("OBJ: polygons become fans, degenerate triangles go") {
   const Folder folder;
-  const MeshFile file = folder.read("a.obj", three + "v 1 1 0\nv 2 2 0\nf 1 2 3 4 5\nf 1 1 2\nf 1 2 3 1\n");
+  const MeshFile file =
+      folder.read("a.obj", three + "v 1 1 0\nv 2 2 0\nf 1 2 3 4 5\nf 1 1 2\nf 1 2 3 1\n", Repair::none);
   CHECK(file.mesh.triangles == Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 1, 2}});
   CHECK(file.report.polygons == 2);
   CHECK(file.report.dropped_degenerate == 2);
@@ -62,15 +69,17 @@ TEST_CASE("OBJ: continued lines, DOS line ends, a byte order mark, no last line 
 
 TEST_CASE("OBJ: what is not read is named once") {
   const Folder folder;
-  const MeshFile file =
-      folder.read("a.obj",
-                  "mtllib a.mtl\no thing\nv 0 0 0 1 0 0\nv 1 0 0 .5 0 0 1\nv 0 1 0 1\ng x\ns off\n"
-                  "usemtl red\nl 1 2\np 1\nvp 0 0\nlod 3\nf 1 2 3\n");
-  CHECK(file.report.ignored == Names{"materials", "groups", "vertex colours", "vertex weights", "lines",
-                                     "points", "free-form geometry", "display settings"});
+  const MeshFile file = folder.read("a.obj",
+                                    "mtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0 1\ng x\ns off\n"
+                                    "usemtl red\nl 1 2\np 1\nvp 0 0\nlod 3\nvt 0 0 0.5\nvn 0 0 1\nf 1 2 3\n");
+  CHECK(file.report.ignored == Names{"materials", "groups", "vertex weights", "lines", "points",
+                                     "free-form geometry", "display settings",
+                                     "depths of texture coordinates", "texture coordinates that no face uses",
+                                     "normals that no face uses"});
   CHECK(file.report.notes() ==
-        Names{"not read: materials, groups, vertex colours, vertex weights, lines, points, "
-              "free-form geometry, display settings"});
+        Names{"not read: materials, groups, vertex weights, lines, points, free-form geometry, display "
+              "settings, depths of texture coordinates, texture coordinates that no face uses, normals that "
+              "no face uses"});
 }
 
 TEST_CASE("OBJ: a mesh without faces is read") {
@@ -109,6 +118,14 @@ TEST_CASE("OBJ: errors name the line") {
   CHECK(error("v 1 2 nan\n") == "a.obj:4: a coordinate is not finite");
   CHECK(error("v 1 2 -inf\n") == "a.obj:4: a coordinate is not finite");
   CHECK(error("v 1 2 3 4 5\n") == "a.obj:4: a vertex has 5 numbers");
+  CHECK(error("v 1 2 3 4 5 6 7 8\n") == "a.obj:4: a vertex has more than 7 numbers");
+  CHECK(error("vt\n") == "a.obj:4: expected a number, found the end of the line");
+  CHECK(error("vn 0 0\n") == "a.obj:4: expected a number, found the end of the line");
+  CHECK(error("vt 0 0\nf 1/1 2/2 3/1\n") ==
+        "a.obj:5: texture coordinate index 2 is out of range: there are 1 of them");
+  CHECK(error("vn 0 0 1\nf 1//1 2//-2 3//1\n") ==
+        "a.obj:5: normal index -2 is out of range: there are 1 of them");
+  CHECK(error("vn 0 0 1\nf 1//1 2//0 3//1\n") == "a.obj:5: normal index 0: OBJ counts from 1");
   CHECK(error("v 1 2 3 red green blue\n") == "a.obj:4: expected a number, found 'red'");
   CHECK(error("hello\n") == "a.obj:4: unknown statement 'hello'");
   CHECK(error("\x01\x7f\xff\n") ==

@@ -28,22 +28,6 @@ TEST_CASE("OFF: comments anywhere") {
   CHECK(file.report.notes().empty());
 }
 
-TEST_CASE("OFF: header variants name what is not read") {
-  const Folder folder;
-  const auto ignored = [&](const std::string& header) {
-    return folder
-        .read("a.off", header + "\n3 1 0\n0 0 0 9 9 9 9\n1 0 0 9 9 9 9\n0 1 0 9 9 9 9\n3 0 1 2 255 0 0\n")
-        .report.ignored;
-  };
-  CHECK(ignored("OFF") == Names{"vertex attributes", "face colours"});
-  CHECK(ignored("COFF") == Names{"vertex colours", "face colours"});
-  CHECK(ignored("NOFF") == Names{"vertex normals", "face colours"});
-  CHECK(ignored("STOFF") == Names{"texture coordinates", "face colours"});
-  CHECK(ignored("CNOFF") == Names{"vertex normals", "vertex colours", "face colours"});
-  CHECK(ignored("STCNOFF") ==
-        Names{"vertex normals", "vertex colours", "texture coordinates", "face colours"});
-}
-
 TEST_CASE("OFF: polygons become fans, degenerate triangles go") {
   const Folder folder;
   const MeshFile file = folder.read("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 0 1\n");

@@ -56,7 +56,7 @@ TEST_CASE("PLY: elements and properties in any order, unknown ones passed over")
       "a.ply",
       header("comment made by hand\nobj_info nothing\nelement camera 1\nproperty float view\n"
              "property list int float lens\nelement nothing 0\nproperty int a\nelement empty 99999999999\n"
-             "element face 1\nproperty uchar red\nproperty list uchar float texcoord\n"
+             "element face 1\nproperty uchar red\nproperty list uchar float l\n"
              "property list ushort uint vertex_index\nproperty int flags\n"
              "element vertex 3\nproperty float nx\nproperty list uchar int links\nproperty double z\n"
              "property uchar red\nproperty uchar alpha\nproperty double x\nproperty float quality\nproperty "
@@ -68,9 +68,14 @@ TEST_CASE("PLY: elements and properties in any order, unknown ones passed over")
   CHECK(file.mesh.points[1] == IndexedMesh::Point(4, 5, 6));
   CHECK(file.mesh.points[2] == IndexedMesh::Point(7, 8, 9));
   CHECK(file.mesh.triangles == Triangles{{0, 1, 2}});
-  CHECK(file.report.ignored == Names{"element 'camera'", "face colours", "texture coordinates",
-                                     "face property 'flags'", "vertex normals", "vertex property 'links'",
-                                     "vertex colours", "vertex property 'quality'"});
+  CHECK(file.report.ignored == Names{"element 'camera'", "face colours", "face property 'l'",
+                                     "face property 'flags'", "vertex property 'links'"});
+  REQUIRE(file.attributes.size() == 5);
+  CHECK(find(file.attributes, Kind::scalar, "nx").values == std::vector<float>{0, 0, 0});
+  CHECK(find(file.attributes, Kind::scalar, "red").values == std::vector<float>{255, 255, 255});
+  CHECK(find(file.attributes, Kind::scalar, "alpha").values == std::vector<float>{255, 255, 255});
+  CHECK(std::isnan(find(file.attributes, Kind::scalar, "quality").values[2]));
+  CHECK(find(file.attributes, Kind::scalar, "s").values == std::vector<float>{0, 0, 0});
 }
 
 TEST_CASE("PLY: binary in either byte order, with every type") {

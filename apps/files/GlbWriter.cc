@@ -1,0 +1,218 @@
+#include "files/GlbWriter.hh"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "files/Fault.hh"
+#include "files/bytes.hh"
+#include "files/settle.hh"
+
+namespace whittle::files {
+namespace {
+
+using attributes::Attribute;
+using attributes::Kind;
+
+int to_int(std::size_t number) {
+  return static_cast<int>(number);
+}
+
+/// The components of an attribute for every vertex.
+std::vector<float> gathered(const Attribute& attribute, const Split& vertices) {
+  std::vector<float> values;
+  values.reserve(attribute.components * vertices.vertex.size());
+  for (std::size_t i = 0; i < vertices.vertex.size(); ++i) {
+    const std::uint32_t value = vertices.value(attribute, i);
+    for (std::size_t k = 0; k < attribute.components; ++k)
+      values.push_back(value == Split::none ? default_component(attribute.kind) : attribute.value(value)[k]);
+  }
+  return values;
+}
+
+/// glTF wants unit length; what is so within the precision of a file keeps its bits.
+void normalize(std::vector<float>& normals) {
+  constexpr float tolerance = 1e-3F;
+  for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
+    const float length = std::hypot(normals[i], normals[i + 1], normals[i + 2]);
+    if (length == 0 || std::abs(length - 1) < tolerance) continue;
+    for (std::size_t k = 0; k < 3; ++k) normals[i + k] /= length;
+  }
+}
+
+bool is_plain_text(const std::string& name) {
+  return !name.empty() &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isprint(c); });
+}
+
+}  // namespace
+
+int GlbWriter::add(const IndexedMesh& mesh, const attributes::Attributes& attributes) {
+  const Choice choice =
+      choose(attributes, {Place::corners, Place::corners, Place::corners, Place::corners}, report_);
+  note_rounding(mesh, report_);
+  tinygltf::Node node;
+  node.name = "mesh";  // a node that says nothing at all is not written as one
+  // A mesh must have a part, and a part must have vertices.
+  if (!mesh.points.empty()) node.mesh = add_mesh(mesh, choice);
+  model_.nodes.push_back(std::move(node));
+  return to_int(model_.nodes.size() - 1);
+}
+
+int GlbWriter::add_mesh(const IndexedMesh& mesh, const Choice& choice) {
+  std::vector<const Attribute*> all = choice.scalars;
+  for (const Attribute* attribute : {choice.normal, choice.colour, choice.texture})
+    if (attribute != nullptr) all.push_back(attribute);
+  const Split vertices = split(mesh, all);
+
+  tinygltf::Primitive part;
+  part.mode = mesh.triangles.empty() ? TINYGLTF_MODE_POINTS : TINYGLTF_MODE_TRIANGLES;
+  part.attributes["POSITION"] = add_positions(mesh, vertices);
+  if (choice.normal) {
+    Numbers normals = gathered(*choice.normal, vertices);
+    normalize(normals);
+    part.attributes["NORMAL"] = add_floats(normals, TINYGLTF_TYPE_VEC3);
+  }
+  if (choice.texture) {
+    Numbers texture = gathered(*choice.texture, vertices);
+    if (!choice.texture->downwards)
+      for (std::size_t i = 1; i < texture.size(); i += 2) texture[i] = 1.0F - texture[i];
+    part.attributes["TEXCOORD_0"] = add_floats(texture, TINYGLTF_TYPE_VEC2);
+  }
+  if (choice.colour) part.attributes["COLOR_0"] = add_colours(*choice.colour, vertices);
+  for (const Attribute* scalar : choice.scalars) {
+    const std::string name = "_" + scalar->name;
+    if (!is_plain_text(scalar->name) || part.attributes.count(name) > 0) {
+      leave_out(report_, to_string(*scalar));
+      continue;
+    }
+    Numbers values = gathered(*scalar, vertices);
+    for (float& value : values) {
+      if (std::isfinite(value)) continue;
+      value = 0;
+      reduce(report_, to_string(*scalar) + ": values that are not finite written as 0");
+    }
+    part.attributes[name] = add_floats(values, TINYGLTF_TYPE_SCALAR);
+  }
+  if (!mesh.triangles.empty()) part.indices = add_indices(vertices);
+
+  tinygltf::Mesh result;
+  result.primitives.push_back(std::move(part));
+  model_.meshes.push_back(std::move(result));
+  return to_int(model_.meshes.size() - 1);
+}
+
+/// Of the view that was made last.
+int GlbWriter::add_accessor(int component_type, int type, std::size_t count) {
+  tinygltf::Accessor accessor;
+  accessor.bufferView = to_int(model_.bufferViews.size() - 1);
+  accessor.componentType = component_type;
+  accessor.type = type;
+  accessor.count = count;
+  model_.accessors.push_back(std::move(accessor));
+  return to_int(model_.accessors.size() - 1);
+}
+
+/// \param stride  0: values follow each other without a gap
+int GlbWriter::begin_view(int target, std::size_t stride) {
+  tinygltf::BufferView view;
+  view.buffer = 0;
+  view.byteOffset = model_.buffers[0].data.size();
+  view.byteStride = stride;
+  view.target = target;
+  model_.bufferViews.push_back(std::move(view));
+  return to_int(model_.bufferViews.size() - 1);
+}
+
+/// The next view begins at a multiple of four again.
+void GlbWriter::end_view(int view) {
+  std::vector<unsigned char>& data = model_.buffers[0].data;
+  tinygltf::BufferView& ended = model_.bufferViews[static_cast<std::size_t>(view)];
+  ended.byteLength = data.size() - ended.byteOffset;
+  while (data.size() % 4 != 0) data.push_back(0);
+}
+
+void GlbWriter::append(float value) {
+  std::string bytes;
+  append_little(bytes, value);
+  model_.buffers[0].data.insert(model_.buffers[0].data.end(), bytes.begin(), bytes.end());
+}
+
+int GlbWriter::add_floats(const Numbers& values, int type) {
+  const int view = begin_view(TINYGLTF_TARGET_ARRAY_BUFFER, 0);
+  for (const float value : values) append(value);
+  end_view(view);
+  return add_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, type,
+                      values.size() / static_cast<std::size_t>(tinygltf::GetNumComponentsInType(
+                                          static_cast<std::uint32_t>(type))));
+}
+
+int GlbWriter::add_positions(const IndexedMesh& mesh, const Split& vertices) {
+  Numbers values;
+  values.reserve(3 * vertices.vertex.size());
+  std::vector<double> least(3, std::numeric_limits<double>::max()),
+      most(3, std::numeric_limits<double>::lowest());
+  for (const std::uint32_t vertex : vertices.vertex) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto value = static_cast<float>(mesh.points[vertex][static_cast<int>(k)]);
+      values.push_back(value);
+      least[k] = std::min(least[k], double{value});
+      most[k] = std::max(most[k], double{value});
+    }
+  }
+  const int accessor = add_floats(values, TINYGLTF_TYPE_VEC3);
+  model_.accessors.back().minValues = least;
+  model_.accessors.back().maxValues = most;
+  return accessor;
+}
+
+/// Bytes stay bytes. Three of them need a gap, since every value must begin at a multiple of four.
+int GlbWriter::add_colours(const Attribute& colour, const Split& vertices) {
+  const int type = colour.components == 4 ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3;
+  const Numbers values = gathered(colour, vertices);
+  if (!colour.bytes) return add_floats(values, type);
+  const int view = begin_view(TINYGLTF_TARGET_ARRAY_BUFFER, 4);
+  std::vector<unsigned char>& data = model_.buffers[0].data;
+  for (std::size_t i = 0; i < values.size(); i += colour.components) {
+    for (std::size_t k = 0; k < colour.components; ++k) data.push_back(to_byte(values[i + k]));
+    if (colour.components == 3) data.push_back(0);
+  }
+  end_view(view);
+  const int accessor = add_accessor(TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, type, vertices.vertex.size());
+  model_.accessors.back().normalized = true;
+  return accessor;
+}
+
+int GlbWriter::add_indices(const Split& vertices) {
+  const bool fits_short = vertices.vertex.size() <= std::numeric_limits<std::uint16_t>::max();
+  const int view = begin_view(TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, 0);
+  std::string bytes;
+  for (const IndexedMesh::Triangle& triangle : vertices.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      if (fits_short)
+        append_little(bytes, static_cast<std::uint16_t>(corner));
+      else
+        append_little(bytes, corner);
+    }
+  }
+  model_.buffers[0].data.insert(model_.buffers[0].data.end(), bytes.begin(), bytes.end());
+  end_view(view);
+  return add_accessor(
+      fits_short ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+      TINYGLTF_TYPE_SCALAR, 3 * vertices.triangles.size());
+}
+
+std::string GlbWriter::bytes() {
+  constexpr std::size_t room_for_json = 1 << 20;
+  if (model_.buffers[0].data.size() > std::numeric_limits<std::uint32_t>::max() - room_for_json)
+    throw Fault("not written: GLB cannot hold more than 4 GiB");
+  if (model_.buffers[0].data.empty()) model_.buffers.clear();
+  std::ostringstream out;
+  if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, out, false, true))
+    throw Fault("not written: tinygltf cannot write it");
+  return out.str();
+}
+
+}  // namespace whittle::files

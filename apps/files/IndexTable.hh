@@ -1,0 +1,83 @@
+/// \file
+/// Finding equal things among many.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace whittle::files {
+
+/// Mixes the bits of several numbers into one.
+class Hash {
+ public:
+  Hash& add(std::uint64_t bits) {
+    state_ = (state_ ^ bits) * 0x9e3779b97f4a7c15U;
+    state_ ^= state_ >> 32;
+    return *this;
+  }
+  Hash& add(float value) {
+    std::uint32_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    return add(std::uint64_t{bits});
+  }
+  Hash& add(double value) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    return add(bits);
+  }
+  std::uint32_t value() const { return static_cast<std::uint32_t>(state_ ^ state_ >> 29); }
+
+ private:
+  std::uint64_t state_ = 0x243f6a8885a308d3U;
+};
+
+/// An open hash table of indices into something that the caller keeps. A node and a key for each would take
+/// several times the file.
+class IndexTable {
+ public:
+  /// The index of what is equal to the new thing; else `fresh`, the new thing's own, which is kept.
+  /// \param equal  called with an index: is that one equal to the new thing?
+  template <typename Equal>
+  std::uint32_t find_or_add(Hash hash, std::uint32_t fresh, Equal equal) {
+    if (2 * (used_ + 1) > slots_.size()) grow();
+    Slot& slot = find(hash.value(), equal);
+    if (slot.index == free_slot) {
+      slot = {hash.value(), fresh};
+      ++used_;
+    }
+    return slot.index;
+  }
+
+ private:
+  static constexpr std::uint32_t free_slot = std::numeric_limits<std::uint32_t>::max();
+
+  struct Slot {
+    std::uint32_t hash = 0;
+    std::uint32_t index = free_slot;
+  };
+
+  /// The slot of what is equal, or the free one where it belongs.
+  template <typename Equal>
+  Slot& find(std::uint32_t hash, Equal equal) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = hash & mask;
+    while (slots_[at].index != free_slot && !(slots_[at].hash == hash && equal(slots_[at].index)))
+      at = (at + 1) & mask;
+    return slots_[at];
+  }
+
+  void grow() {
+    std::vector<Slot> old(slots_.empty() ? 1024 : 2 * slots_.size());
+    old.swap(slots_);
+    for (const Slot& slot : old)
+      if (slot.index != free_slot) find(slot.hash, [](std::uint32_t) { return false; }) = slot;
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace whittle::files

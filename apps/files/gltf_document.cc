@@ -1,0 +1,155 @@
+#include "files/gltf_document.hh"
+
+#include <nlohmann/json.hpp>
+
+#include "files/Fault.hh"
+#include "files/gltf_nodes.hh"
+
+namespace whittle::files {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Both parsers and the code behind them call themselves for each level.
+void check_depth(std::string_view json) {
+  constexpr int deepest = 64;
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') in_string = false;
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > deepest) throw Fault("its JSON is nested too deeply");
+    } else if (c == '}' || c == ']') {
+      --depth;
+    }
+  }
+}
+
+struct Section {
+  std::string_view key;
+  const char* meaning;  ///< null: read, or of no interest
+};
+
+constexpr Section sections[] = {
+    {"asset", nullptr},         {"scene", nullptr},           {"scenes", nullptr},
+    {"nodes", nullptr},         {"meshes", nullptr},          {"accessors", nullptr},
+    {"bufferViews", nullptr},   {"buffers", nullptr},         {"extensionsRequired", nullptr},
+    {"materials", "materials"}, {"textures", "textures"},     {"images", "textures"},
+    {"samplers", "textures"},   {"animations", "animations"}, {"skins", "skins"},
+    {"cameras", "cameras"},     {"extensions", "extensions"}, {"extras", "extras"},
+};
+
+/// Lets through only what is read, so that nothing else takes memory.
+class Filter {
+ public:
+  explicit Filter(MeshBuilder& builder) : builder_(builder) {}
+
+  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
+    if (event != Json::parse_event_t::key) return true;
+    const auto& key = parsed.get_ref<const std::string&>();
+    return depth == 1 ? enter(key) : is_read(key);
+  }
+
+ private:
+  bool enter(const std::string& key) {
+    section_ = key;
+    for (const Section& section : sections) {
+      if (section.key != key) continue;
+      if (section.meaning != nullptr) builder_.ignore(section.meaning);
+      return section.meaning == nullptr;
+    }
+    return false;
+  }
+
+  bool is_read(const std::string& key) {
+    if (section_ == "meshes" && key == "targets") builder_.ignore("morph targets");
+    if (key == "extensions") return section_ == "nodes";
+    return key != "extras" && key != "name" && key != "targets" && key != "weights" && key != "material";
+  }
+
+  MeshBuilder& builder_;
+  std::string section_;
+};
+
+Json parse(std::string_view text, MeshBuilder& builder) {
+  check_depth(text);
+  Filter filter(builder);
+  const auto callback = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    return filter(depth, event, parsed);
+  };
+  try {
+    Json json = Json::parse(text.begin(), text.end(), callback);
+    if (json.is_object()) return json;
+  } catch (const Json::exception&) {
+    // What it says would take more than a line.
+  }
+  throw Fault("its JSON is damaged");
+}
+
+void check_version(const Json& json) {
+  const auto asset = json.find("asset");
+  const bool known = asset != json.end() && asset->is_object() && asset->contains("version") &&
+                     (*asset)["version"].is_string();
+  const std::string version = known ? (*asset)["version"].get<std::string>() : "";
+  if (version.rfind("2.", 0) != 0)
+    throw Fault(version.empty() ? "not glTF: it does not say its version"
+                                : "glTF version " + in_quotes(version) + " is not supported");
+}
+
+/// What is about looks alone changes nothing about the mesh.
+bool can_do_without(const std::string& extension) {
+  for (const char* beginning : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
+                                "EXT_lights_", "KHR_xmp", "MSFT_lod"})
+    if (extension.rfind(beginning, 0) == 0) return true;
+  return extension == "KHR_mesh_quantization";
+}
+
+void check_extensions(const Json& json) {
+  const auto required = json.find("extensionsRequired");
+  if (required == json.end()) return;
+  if (!required->is_array()) throw Fault("its JSON is damaged: 'extensionsRequired' is no list");
+  for (const Json& extension : *required)
+    if (!extension.is_string() || !can_do_without(extension.get<std::string>()))
+      throw Fault("it needs the extension " +
+                  (extension.is_string() ? in_quotes(extension.get<std::string>()) : "?") +
+                  ", which is not supported");
+}
+
+std::vector<GltfBuffer> read_buffers(Json& json) {
+  std::vector<GltfBuffer> buffers;
+  for (Json& object : gltf_objects(json, "buffers")) {
+    GltfBuffer buffer;
+    buffer.bytes = gltf_unsigned(object, "byteLength");
+    if (const auto uri = object.find("uri"); uri != object.end()) {
+      if (!uri->is_string()) throw Fault("its JSON is damaged: a 'uri' is no text");
+      buffer.has_uri = true;
+      buffer.uri = std::move(uri->get_ref<std::string&>());
+    }
+    buffers.push_back(std::move(buffer));
+  }
+  return buffers;
+}
+
+}  // namespace
+
+GltfDocument parse_gltf(std::string_view text, MeshBuilder& builder) {
+  Json json = parse(text, builder);
+  check_version(json);
+  check_extensions(json);
+  GltfDocument document;
+  document.buffers = read_buffers(json);
+  document.instances = read_gltf_nodes(json, builder);
+
+  Json reduced = {{"asset", {{"version", "2.0"}}}};
+  for (const char* key : {"accessors", "bufferViews", "meshes"})
+    reduced[key] = std::move(gltf_objects(json, key));
+  document.json = reduced.dump();
+  return document;
+}
+
+}  // namespace whittle::files

@@ -1,0 +1,37 @@
+/// \file
+/// glTF's JSON, checked and reduced to what a mesh is made of.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/MeshBuilder.hh"
+
+namespace whittle::files {
+
+/// A mesh of the document, at a place of the scene.
+struct GltfInstance {
+  std::size_t mesh = 0;
+  Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
+};
+
+struct GltfBuffer {
+  bool has_uri = false;  ///< else it is the binary chunk of a GLB
+  std::string uri;
+  std::size_t bytes = 0;  ///< declared
+};
+
+struct GltfDocument {
+  std::string json;  ///< accessors, views and meshes, for tinygltf
+  std::vector<GltfBuffer> buffers;
+  std::vector<GltfInstance> instances;  ///< of the scene, in the order of its nodes
+};
+
+/// Notes what is in the document besides.
+/// \throw Fault  damaged, not glTF 2, or with extensions that are needed to read it
+GltfDocument parse_gltf(std::string_view json, MeshBuilder& builder);
+
+}  // namespace whittle::files

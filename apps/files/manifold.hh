@@ -1,0 +1,38 @@
+/// \file
+/// Finding and mending what is not manifold.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "files/MeshFile.hh"
+#include "files/sides.hh"
+
+namespace whittle::files {
+
+/// Both with the meaning that `whittle info` gives the words.
+struct NonManifold {
+  std::size_t edges = 0;
+  std::size_t vertices = 0;
+};
+
+/// \param sides  of all the mesh's faces, by edge
+/// \{
+NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<Side>& sides);
+
+/// Marks the faces that are the first on their three vertices, whichever way round.
+std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<Side>& sides);
+/// \}
+
+/// Turns faces until neighbours agree wherever that is possible: in each connected piece the fewer.
+/// \return how many were turned
+std::size_t orient(MeshFile& file);
+
+/// Copies vertices until every edge has one face or two that agree, and the faces of every vertex are one
+/// fan. At an edge the first face that runs along it one way stays joined with the first that runs the other
+/// way, the second with the second, and so on; one that is left over gets an edge of its own. \return how
+/// many copies were made
+std::size_t cut(MeshFile& file);
+
+}  // namespace whittle::files

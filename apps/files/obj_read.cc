@@ -1,0 +1,202 @@
+/// \file
+/// Wavefront OBJ: reading.
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "files/Choice.hh"
+#include "files/Fault.hh"
+#include "files/MeshBuilder.hh"
+#include "files/ObjIndices.hh"
+#include "files/TextReader.hh"
+#include "files/formats.hh"
+#include "files/obj_statements.hh"
+#include "files/settle.hh"
+#include "files/subset.hh"
+
+namespace whittle::files {
+namespace {
+
+using attributes::Attribute;
+using attributes::Kind;
+
+constexpr TextReader::Syntax obj_syntax{'#', true};
+
+/// True if every value is one of 256 and keeps its bits as such.
+bool are_bytes(const std::vector<float>& values) {
+  for (const float value : values)
+    if (from_byte(to_byte(value)) != value) return false;
+  return true;
+}
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view bytes, const ReadOptions& options, std::size_t& line)
+      : in_(bytes, line, obj_syntax),
+        line_(line),
+        builder_(file_, options),
+        fixes_(options.repair == Repair::fix) {}
+
+  MeshFile read() {
+    file_.report.format = "OBJ";
+    while (in_.next_line()) {
+      const std::string_view keyword = in_.word();
+      if (keyword == "v")
+        read_vertex();
+      else if (keyword == "f")
+        read_face();
+      else if (keyword == "vt")
+        read_texture();
+      else if (keyword == "vn")
+        read_normal();
+      else
+        builder_.ignore(unread_statement(keyword));
+    }
+    if (!fixes_) vertex_indices_.check(file_.mesh.points.size(), line_);
+    add_colours();
+    add_at_corners(texture_, texture_of_, texture_indices_);
+    add_at_corners(normals_, normal_of_, normal_indices_);
+    drop_faces_without_vertices(file_);
+    settle(file_);
+    return std::move(file_);
+  }
+
+ private:
+  void read_vertex() {
+    const double x = in_.real<double>();
+    const double y = in_.real<double>();
+    const double z = in_.real<double>();
+    builder_.add_point(x, y, z);
+    float extra[4] = {0, 0, 0, 1};
+    std::size_t count = 0;
+    for (std::string_view word = in_.word(); !word.empty(); word = in_.word(), ++count) {
+      if (count == 4) throw Fault("a vertex has more than 7 numbers");
+      extra[count] = builder_.component(parse_real<float>(word));
+    }
+    if (count == 2) throw Fault("a vertex has 5 numbers");
+    if (count == 1) builder_.ignore("vertex weights");
+    if (count >= 3) add_colour(extra, count);
+  }
+
+  /// Vertices without a colour are white. There is room for opacity in any case until it is known.
+  void add_colour(const float* colour, std::size_t components) {
+    const std::size_t missing = file_.mesh.points.size() - 1 - colours_.size() / 4;
+    file_.report.missing_values += missing;
+    colours_.resize(colours_.size() + 4 * missing, 1.0F);
+    colours_.insert(colours_.end(), colour, colour + 4);
+    if (components == 4) colour_components_ = 4;
+  }
+
+  void read_texture() {
+    const float u = builder_.component(in_.real<float>());
+    float v = 0;
+    if (const std::string_view word = in_.word(); !word.empty())
+      v = builder_.component(parse_real<float>(word));
+    if (const std::string_view word = in_.word(); !word.empty()) {
+      if (parse_real<float>(word) != 0) builder_.ignore("depths of texture coordinates");
+    }
+    texture_.values.insert(texture_.values.end(), {u, v});
+  }
+
+  void read_normal() {
+    for (int i = 0; i < 3; ++i) normals_.values.push_back(builder_.component(in_.real<float>()));
+  }
+
+  void read_face() {
+    corners_.clear();
+    texture_of_.face.clear();
+    normal_of_.face.clear();
+    for (std::string_view word = in_.word(); !word.empty(); word = in_.word()) read_corner(word);
+    for (CornerValues* values : {&texture_of_, &normal_of_})
+      if (!values->face.empty()) values->face.resize(corners_.size(), no_value);
+    builder_.add_face(corners_, {&texture_of_, &normal_of_});
+  }
+
+  /// A corner is `v`, `v/t`, `v//n` or `v/t/n`.
+  void read_corner(std::string_view word) {
+    const std::size_t slash = word.find('/');
+    const std::int64_t index = parse_integer(word.substr(0, slash));
+    corners_.push_back(vertex_indices_.resolve(index, file_.mesh.points.size(), line_));
+    if (slash == std::string_view::npos) return;
+    word.remove_prefix(slash + 1);
+    const std::size_t second = word.find('/');
+    if (const std::string_view texture = word.substr(0, second); !texture.empty())
+      set_value(texture_of_, texture_indices_, texture, texture_.n_values());
+    if (second != std::string_view::npos)
+      set_value(normal_of_, normal_indices_, word.substr(second + 1), normals_.n_values());
+  }
+
+  /// \param count  values of the list so far
+  void set_value(CornerValues& values, ObjIndices& indices, std::string_view word, std::size_t count) {
+    values.face.resize(corners_.size() - 1, no_value);  // corners before this one may have had none
+    values.face.push_back(indices.resolve(parse_integer(word), count, line_));
+  }
+
+  void add_colours() {
+    if (colours_.empty()) return;
+    const std::size_t missing = file_.mesh.points.size() - colours_.size() / 4;
+    file_.report.missing_values += missing;
+    colours_.resize(colours_.size() + 4 * missing, 1.0F);
+    Attribute colour;
+    colour.kind = Kind::colour;
+    colour.components = colour_components_;
+    for (std::size_t i = 0; i < colours_.size(); ++i)
+      if (i % 4 < colour.components) colour.values.push_back(colours_[i]);
+    colour.bytes = are_bytes(colour.values);
+    file_.attributes.push_back(std::move(colour));
+  }
+
+  void add_at_corners(Attribute& attribute, CornerValues& corners, const ObjIndices& indices) {
+    if (attribute.values.empty()) {
+      if (!corners.triangles.empty())
+        builder_.ignore("indices of " + to_string(attribute) + " that are not there");
+      return;
+    }
+    if (!fixes_) indices.check(attribute.n_values(), line_);
+    for (IndexedMesh::Triangle& triangle : corners.triangles)
+      for (std::uint32_t& corner : triangle)
+        if (corner >= attribute.n_values()) corner = no_value;
+    // Clouds of points come with a normal behind each point.
+    const bool cloud = file_.mesh.triangles.empty() && attribute.n_values() == file_.mesh.points.size();
+    if (cloud)
+      file_.attributes.push_back(std::move(attribute));
+    else if (corners.triangles.empty())
+      builder_.ignore(to_string(attribute) + " that no face uses");
+    else
+      builder_.add_attribute(std::move(attribute), corners);
+  }
+
+  static Attribute empty_attribute(Kind kind, std::size_t components) {
+    Attribute attribute;
+    attribute.kind = kind;
+    attribute.components = components;
+    return attribute;
+  }
+
+  TextReader in_;
+  std::size_t& line_;
+  MeshFile file_;
+  MeshBuilder builder_;
+  bool fixes_;
+  ObjIndices vertex_indices_{"vertex"}, texture_indices_{"texture coordinate"}, normal_indices_{"normal"};
+  Attribute texture_ = empty_attribute(Kind::texture, 2);
+  Attribute normals_ = empty_attribute(Kind::normal, 3);
+  CornerValues texture_of_, normal_of_;
+  std::vector<float> colours_;  ///< four numbers for each vertex up to the last one with a colour
+  std::size_t colour_components_ = 3;
+  std::vector<std::uint32_t> corners_;
+};
+
+}  // namespace
+
+bool may_be_obj(std::string_view bytes) {
+  std::size_t line = 0;
+  TextReader in(bytes, line, obj_syntax);
+  return in.next_line() && is_obj_keyword(in.word());
+}
+
+MeshFile read_obj(std::string_view bytes, const ReadOptions& options, std::size_t& line) {
+  return ObjReader(bytes, options, line).read();
+}
+
+}  // namespace whittle::files

@@ -1,0 +1,74 @@
+#include "files/repair.hh"
+
+#include <algorithm>
+
+#include "files/manifold.hh"
+#include "files/settle.hh"
+#include "files/subset.hh"
+
+namespace whittle::files {
+namespace {
+
+void drop_what_is_not_finite(MeshFile& file) {
+  std::vector<bool> finite;
+  finite.reserve(file.mesh.points.size());
+  for (const IndexedMesh::Point& point : file.mesh.points) finite.push_back(point.allFinite());
+  if (std::find(finite.begin(), finite.end(), false) == finite.end()) return;
+  std::vector<bool> keep;
+  keep.reserve(file.mesh.triangles.size());
+  for (const auto& [a, b, c] : file.mesh.triangles) keep.push_back(finite[a] && finite[b] && finite[c]);
+  file.report.broken_faces += keep_faces(file, keep);
+  file.report.dropped_vertices += keep_vertices(file, finite);
+}
+
+void drop_unused_vertices(MeshFile& file) {
+  if (file.mesh.triangles.empty()) return;  // a cloud of points is one on purpose
+  std::vector<bool> used(file.mesh.points.size(), false);
+  for (const IndexedMesh::Triangle& triangle : file.mesh.triangles)
+    for (const std::uint32_t vertex : triangle) used[vertex] = true;
+  file.report.dropped_vertices += keep_vertices(file, used);
+}
+
+std::vector<Side> sides_of(const IndexedMesh& mesh) {
+  return sides_by_edge(mesh.triangles, mesh.points.size());
+}
+
+void count(MeshFile& file, const std::vector<Side>& sides) {
+  const NonManifold found = count_nonmanifold(file.mesh, sides);
+  file.report.nonmanifold_edges = found.edges;
+  file.report.nonmanifold_vertices = found.vertices;
+}
+
+void fix(MeshFile& file) {
+  std::vector<bool> at_corners;
+  for (const attributes::Attribute& attribute : file.attributes)
+    at_corners.push_back(!attribute.per_vertex());
+
+  drop_what_is_not_finite(file);
+  std::vector<Side> sides = sides_of(file.mesh);
+  file.report.duplicate_faces = keep_faces(file, mark_distinct(file.mesh, sides));
+  if (file.report.duplicate_faces > 0) sides = sides_of(file.mesh);
+  count(file, sides);
+  if (file.report.nonmanifold_edges > 0) file.report.turned_faces = orient(file);
+  if (file.report.nonmanifold_edges + file.report.nonmanifold_vertices > 0)
+    file.report.copied_vertices = cut(file);
+  drop_unused_vertices(file);
+
+  // Corners may agree now that did not before, and values may be of no use any more.
+  for (std::size_t i = 0; i < file.attributes.size(); ++i)
+    if (at_corners[i]) settle(file.attributes[i], file.mesh);
+}
+
+}  // namespace
+
+void repair(MeshFile& file, Repair mode) {
+  file.report.repair = mode;
+  if (mode == Repair::fix) fix(file);
+  if (mode != Repair::report) return;
+  const std::vector<Side> sides = sides_of(file.mesh);
+  const std::vector<bool> distinct = mark_distinct(file.mesh, sides);
+  file.report.duplicate_faces = static_cast<std::size_t>(std::count(distinct.begin(), distinct.end(), false));
+  count(file, sides);
+}
+
+}  // namespace whittle::files

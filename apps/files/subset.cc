@@ -1,0 +1,71 @@
+#include "files/subset.hh"
+
+#include <algorithm>
+
+namespace whittle::files {
+namespace {
+
+/// Leaves the entries that are marked; an entry is `width` values long.
+template <typename T>
+void keep_entries(std::vector<T>& entries, const std::vector<bool>& keep, std::size_t width = 1) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (!keep[i]) continue;
+    for (std::size_t k = 0; k < width; ++k) entries[kept * width + k] = entries[i * width + k];
+    ++kept;
+  }
+  entries.resize(kept * width);
+}
+
+std::size_t count_unmarked(const std::vector<bool>& keep) {
+  return static_cast<std::size_t>(std::count(keep.begin(), keep.end(), false));
+}
+
+}  // namespace
+
+std::size_t keep_faces(MeshFile& file, const std::vector<bool>& keep) {
+  const std::size_t going = count_unmarked(keep);
+  if (going == 0) return 0;
+  keep_entries(file.mesh.triangles, keep);
+  for (attributes::Attribute& attribute : file.attributes)
+    if (!attribute.per_vertex()) keep_entries(attribute.corners, keep);
+  return going;
+}
+
+std::size_t keep_vertices(MeshFile& file, const std::vector<bool>& keep) {
+  const std::size_t going = count_unmarked(keep);
+  if (going == 0) return 0;
+  std::vector<std::uint32_t> number;
+  number.reserve(keep.size());
+  std::uint32_t next = 0;
+  for (const bool stays : keep) number.push_back(stays ? next++ : 0);
+
+  keep_entries(file.mesh.points, keep);
+  for (attributes::Attribute& attribute : file.attributes)
+    if (attribute.per_vertex()) keep_entries(attribute.values, keep, attribute.components);
+  for (IndexedMesh::Triangle& triangle : file.mesh.triangles)
+    for (std::uint32_t& corner : triangle) corner = number[corner];
+  return going;
+}
+
+void copy_vertices(MeshFile& file, const std::vector<std::uint32_t>& originals) {
+  file.mesh.points.reserve(file.mesh.points.size() + originals.size());
+  for (const std::uint32_t original : originals) file.mesh.points.push_back(file.mesh.points[original]);
+  for (attributes::Attribute& attribute : file.attributes) {
+    if (!attribute.per_vertex()) continue;
+    attribute.values.reserve(attribute.values.size() + attribute.components * originals.size());
+    for (const std::uint32_t original : originals)
+      for (std::size_t k = 0; k < attribute.components; ++k)
+        attribute.values.push_back(attribute.values[attribute.components * original + k]);
+  }
+}
+
+void drop_faces_without_vertices(MeshFile& file) {
+  std::vector<bool> keep;
+  keep.reserve(file.mesh.triangles.size());
+  for (const IndexedMesh::Triangle& triangle : file.mesh.triangles)
+    keep.push_back(*std::max_element(triangle.begin(), triangle.end()) < file.mesh.points.size());
+  file.report.broken_faces += keep_faces(file, keep);
+}
+
+}  // namespace whittle::files

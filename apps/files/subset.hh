@@ -1,0 +1,24 @@
+/// \file
+/// Taking faces and vertices out of a mesh, with all that hangs on them.
+#pragma once
+
+#include <vector>
+
+#include "files/MeshFile.hh"
+
+namespace whittle::files {
+
+/// Leaves the faces that are marked, in their order. \return how many went
+std::size_t keep_faces(MeshFile& file, const std::vector<bool>& keep);
+
+/// Leaves the vertices that are marked, in their order. \return how many went
+/// \pre no face uses one that goes
+std::size_t keep_vertices(MeshFile& file, const std::vector<bool>& keep);
+
+/// Appends copies of vertices.
+void copy_vertices(MeshFile& file, const std::vector<std::uint32_t>& originals);
+
+/// Takes out the faces that name a vertex that is not there, and counts them as broken.
+void drop_faces_without_vertices(MeshFile& file);
+
+}  // namespace whittle::files

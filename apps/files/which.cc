@@ -1,0 +1,60 @@
+/// \file
+/// Which format a file has, by its name or by what is in it.
+#include "files/Fault.hh"
+#include "files/TextReader.hh"
+#include "files/formats.hh"
+
+namespace whittle::files {
+namespace {
+
+struct ExtensionOf {
+  std::string_view extension;
+  Format format;
+};
+
+constexpr ExtensionOf extensions[] = {{".glb", Format::glb}, {".gltf", Format::gltf}, {".obj", Format::obj},
+                                      {".off", Format::off}, {".om", Format::om},     {".ply", Format::ply},
+                                      {".stl", Format::stl}};
+
+/// Of all formats only glTF's JSON begins so.
+bool is_json(std::string_view bytes) {
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && bytes[begin] == '{';
+}
+
+}  // namespace
+
+Format format_of_extension(const std::string& extension) {
+  for (const ExtensionOf& known : extensions)
+    if (same_word(known.extension, extension)) return known.format;
+  throw Fault((extension.empty() ? "no extension" : "unknown format " + in_quotes(extension)) +
+              "; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
+}
+
+bool format_of_content(std::string_view bytes, Format& format) {
+  if (is_ply(bytes)) {
+    format = Format::ply;
+  } else if (is_off(bytes)) {
+    format = Format::off;
+  } else if (is_glb(bytes)) {
+    format = Format::glb;
+  } else if (is_om(bytes)) {
+    format = Format::om;
+  } else if (is_json(bytes)) {
+    format = Format::gltf;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+Format likely_format(std::string_view bytes) {
+  Format format{};
+  if (format_of_content(bytes, format)) return format;
+  // STL first: the header of a binary one may hold any text.
+  if (may_be_stl(bytes)) return Format::stl;
+  if (may_be_obj(bytes)) return Format::obj;
+  throw Fault("the content is of no known format");
+}
+
+}  // namespace whittle::files
