@@ -31,7 +31,11 @@ class Transfer {
  public:
   Transfer(const Attribute& in, const Decimation& d, const Stars& stars, const Members& members)
       : in_(in), d_(d), stars_(stars), members_(members) {
-    out_ = {in.kind, in.name, in.components, in.bytes, {}, {}};
+    out_.kind = in.kind;
+    out_.name = in.name;
+    out_.components = in.components;
+    out_.bytes = in.bytes;
+    out_.downwards = in.downwards;
   }
 
   Attribute run() {

@@ -2,7 +2,7 @@
 # The speed benchmark from nothing: packages, models, build, OpenMesh's core without assertions, the runs, one page.
 #   bench/speed/run.sh [--peers] [options of whittle-speed]
 # --peers installs CGAL and VTK, too (heavy). Other options go to every run, for example --rounds 3 or --threads 1.
-# Results go to results/speed/. All in all it takes over an hour on two cores; let nothing else run meanwhile.
+# Results go to results/speed/. All in all it takes about an hour on two cores; let nothing else run meanwhile.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

@@ -20,7 +20,7 @@ recipe::Recipe recipe_of(const std::string& spec) {
 
 /// A vertex attribute whose values are the coordinates.
 Attribute coordinates(const IndexedMesh& mesh) {
-  Attribute out{Kind::colour, "", 3, false, {}, {}};
+  Attribute out{Kind::colour, "", 3, false, false, {}, {}};
   for (const auto& p : mesh.points)
     for (int i = 0; i < 3; ++i) out.values.push_back(static_cast<float>(p[i]));
   return out;
@@ -28,7 +28,7 @@ Attribute coordinates(const IndexedMesh& mesh) {
 
 /// Texture coordinates that are (x, y) left of the line x = at, and (x + 10, y) right of it.
 Attribute torn(const IndexedMesh& mesh, double at) {
-  Attribute out{Kind::texture, "", 2, false, {}, {}};
+  Attribute out{Kind::texture, "", 2, false, false, {}, {}};
   std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known;
   for (const auto& t : mesh.triangles) {
     const double middle = (mesh.points[t[0]].x() + mesh.points[t[1]].x() + mesh.points[t[2]].x()) / 3;
@@ -64,7 +64,7 @@ TEST_CASE("a linear attribute of a flat mesh stays linear") {
 
 TEST_CASE("normals keep their length, and a vertex that stays keeps its values bit for bit") {
   const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
-  Attribute normals{Kind::normal, "", 3, false, {}, {}};
+  Attribute normals{Kind::normal, "", 3, false, false, {}, {}};
   for (const auto& p : mesh.points) {
     const Eigen::Vector3d n = p.normalized();
     for (int i = 0; i < 3; ++i) normals.values.push_back(static_cast<float>(n[i]));

@@ -58,7 +58,7 @@ TEST_CASE("--lock keeps a selection, and names what is wrong with one") {
   for (std::size_t v = 0; v < 100; ++v)
     CHECK((out.points[became[v]] - in.mesh.points[v]).norm() < 1e-12);
 
-  for (const std::string bad : {"selection:" + list, std::string("selection:none.txt"), std::string("everything"),
+  for (const std::string& bad : {"selection:" + list, std::string("selection:none.txt"), std::string("everything"),
                                 std::string("feature:200")}) {
     std::ofstream(list) << "1\n2 x\n";
     const auto done = whittle_program({"simplify", in.path, in.folder / "o.ply", "--ratio", "0.5", "--lock", bad});
@@ -132,7 +132,7 @@ TEST_CASE("attributes come through, and what a format cannot hold is said") {
 TEST_CASE("weights keep detail, and must be there") {
   programs::Folder folder;
   const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
-  attributes::Attribute importance{attributes::Kind::scalar, "importance", 1, false, {}, {}};
+  attributes::Attribute importance{attributes::Kind::scalar, "importance", 1, false, false, {}, {}};
   for (const auto& p : mesh.points) importance.values.push_back(p.x() < 0 ? 10.0f : 1.0f);
   files::write_mesh(folder / "in.ply", mesh, {}, {importance});
   const auto left = [&](const std::vector<std::string>& more) {
