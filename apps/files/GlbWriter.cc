@@ -152,20 +152,21 @@ int GlbWriter::add_floats(const Numbers& values, int type) {
 int GlbWriter::add_positions(const IndexedMesh& mesh, const Split& vertices) {
   Numbers values;
   values.reserve(3 * vertices.vertex.size());
-  std::vector<double> least(3, std::numeric_limits<double>::max()),
-      most(3, std::numeric_limits<double>::lowest());
-  for (const std::uint32_t vertex : vertices.vertex) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto value = static_cast<float>(mesh.points[vertex][static_cast<int>(k)]);
-      values.push_back(value);
-      least[k] = std::min(least[k], double{value});
-      most[k] = std::max(most[k], double{value});
+  for (const std::uint32_t vertex : vertices.vertex)
+    for (const double value : mesh.points[vertex]) values.push_back(static_cast<float>(value));
+  const int index = add_floats(values, TINYGLTF_TYPE_VEC3);
+
+  tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    float least = values[k], most = values[k];
+    for (std::size_t i = k; i < values.size(); i += 3) {
+      least = std::min(least, values[i]);
+      most = std::max(most, values[i]);
     }
+    accessor.minValues.push_back(double{least});
+    accessor.maxValues.push_back(double{most});
   }
-  const int accessor = add_floats(values, TINYGLTF_TYPE_VEC3);
-  model_.accessors.back().minValues = least;
-  model_.accessors.back().maxValues = most;
-  return accessor;
+  return index;
 }
 
 /// Bytes stay bytes. Three of them need a gap, since every value must begin at a multiple of four.

@@ -40,10 +40,7 @@ void count(MeshFile& file, const std::vector<Side>& sides) {
 }
 
 void fix(MeshFile& file) {
-  std::vector<bool> at_corners;
-  for (const attributes::Attribute& attribute : file.attributes)
-    at_corners.push_back(!attribute.per_vertex());
-
+  const std::vector<bool> marked = at_corners(file.attributes);
   drop_what_is_not_finite(file);
   std::vector<Side> sides = sides_of(file.mesh);
   file.report.duplicate_faces = keep_faces(file, mark_distinct(file.mesh, sides));
@@ -55,8 +52,7 @@ void fix(MeshFile& file) {
   drop_unused_vertices(file);
 
   // Corners may agree now that did not before, and values may be of no use any more.
-  for (std::size_t i = 0; i < file.attributes.size(); ++i)
-    if (at_corners[i]) settle(file.attributes[i], file.mesh);
+  settle(file, marked);
 }
 
 }  // namespace

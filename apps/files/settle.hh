@@ -20,8 +20,11 @@ float default_component(attributes::Kind kind);
 std::size_t settle(attributes::Attribute& attribute, const IndexedMesh& mesh,
                    const std::vector<std::uint32_t>& of_vertex = {});
 
-/// Settles all attributes that have values at corners, and counts what was missing.
+/// Which attributes have values at corners. To be asked before faces go: where none is left, it does not show.
+std::vector<bool> at_corners(const attributes::Attributes& attributes);
+
+/// Settles the attributes that are marked, and counts what was missing.
 /// \pre every face's index is in range
-void settle(MeshFile& file);
+void settle(MeshFile& file, const std::vector<bool>& marked);
 
 }  // namespace whittle::files

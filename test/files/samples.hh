@@ -91,6 +91,18 @@ IndexedMesh strip(std::uint32_t vertices) {
   return mesh;
 }
 
+/// As 32-bit floats have it.
+inline IndexedMesh rounded(IndexedMesh mesh) {
+  for (IndexedMesh::Point& point : mesh.points) {
+    for (double& value : point) {
+      const volatile float narrow =
+          static_cast<float>(value);  // GCC 12 drops the conversion when it vectorizes
+      value = narrow;
+    }
+  }
+  return mesh;
+}
+
 /// With a value for each vertex, or for what `corners` name.
 inline Attribute attribute(Kind kind, std::size_t components, std::vector<float> values,
                            Triangles corners = {}) {
