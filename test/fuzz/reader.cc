@@ -1,8 +1,8 @@
 /// \file
 /// libFuzzer's entry to one reader: WHITTLE_FUZZ_FORMAT names its format.
 ///
-/// Whatever the bytes are, a Fault comes or a mesh that is sound; repaired it is manifold; and what is written
-/// of it reads back.
+/// Whatever the bytes are, a Fault comes or a mesh that is sound; repaired it is manifold; and what is
+/// written of it reads back.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
