@@ -56,9 +56,8 @@ class ObjReader {
     add_colours();
     add_at_corners(texture_, texture_of_, texture_indices_);
     add_at_corners(normals_, normal_of_, normal_indices_);
-    const std::vector<bool> marked = at_corners(file_.attributes);
     drop_faces_without_vertices(file_);
-    settle(file_, marked);
+    settle(file_);
     return std::move(file_);
   }
 

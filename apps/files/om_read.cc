@@ -70,7 +70,7 @@ class OmReader {
     for (const Chunk& chunk : chunks_.all()) read_attribute(chunk);
     builder_.add_attribute(std::move(texture_), texture_of_);
     if (chunks_.bytes_behind() > 0) builder_.ignore("bytes after the last chunk");
-    settle(file_, at_corners(file_.attributes));
+    settle(file_);
     return std::move(file_);
   }
 

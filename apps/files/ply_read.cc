@@ -58,7 +58,7 @@ class BodyReader {
     }
     if (header_.texture_file) builder_.ignore("texture image");
     builder_.add_attribute(std::move(texture_), texture_of_);
-    settle(file_, at_corners(file_.attributes));
+    settle(file_);
   }
 
   void ignore(const char* what) { builder_.ignore(what); }

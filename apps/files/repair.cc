@@ -40,7 +40,6 @@ void count(MeshFile& file, const std::vector<Side>& sides) {
 }
 
 void fix(MeshFile& file) {
-  const std::vector<bool> marked = at_corners(file.attributes);
   drop_what_is_not_finite(file);
   std::vector<Side> sides = sides_of(file.mesh);
   file.report.duplicate_faces = keep_faces(file, mark_distinct(file.mesh, sides));
@@ -52,7 +51,7 @@ void fix(MeshFile& file) {
   drop_unused_vertices(file);
 
   // Corners may agree now that did not before, and values may be of no use any more.
-  settle(file, marked);
+  settle(file);
 }
 
 }  // namespace

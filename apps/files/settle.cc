@@ -90,15 +90,9 @@ std::size_t settle(Attribute& attribute, const IndexedMesh& mesh,
   return missing;
 }
 
-std::vector<bool> at_corners(const attributes::Attributes& attributes) {
-  std::vector<bool> marked;
-  for (const Attribute& attribute : attributes) marked.push_back(!attribute.per_vertex());
-  return marked;
-}
-
-void settle(MeshFile& file, const std::vector<bool>& marked) {
-  for (std::size_t i = 0; i < marked.size(); ++i)
-    if (marked[i]) file.report.missing_values += settle(file.attributes[i], file.mesh);
+void settle(MeshFile& file) {
+  for (Attribute& attribute : file.attributes)
+    if (!attribute.per_vertex()) file.report.missing_values += settle(attribute, file.mesh);
 }
 
 }  // namespace whittle::files

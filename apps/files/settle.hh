@@ -20,11 +20,8 @@ float default_component(attributes::Kind kind);
 std::size_t settle(attributes::Attribute& attribute, const IndexedMesh& mesh,
                    const std::vector<std::uint32_t>& of_vertex = {});
 
-/// Which attributes have values at corners. To be asked before faces go: where none is left, it does not show.
-std::vector<bool> at_corners(const attributes::Attributes& attributes);
-
-/// Settles the attributes that are marked, and counts what was missing.
+/// Settles all attributes that have values at corners, and counts what was missing.
 /// \pre every face's index is in range
-void settle(MeshFile& file, const std::vector<bool>& marked);
+void settle(MeshFile& file);
 
 }  // namespace whittle::files

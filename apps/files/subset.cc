@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "files/settle.hh"
+
 namespace whittle::files {
 namespace {
 
@@ -27,8 +29,12 @@ std::size_t keep_faces(MeshFile& file, const std::vector<bool>& keep) {
   const std::size_t going = count_unmarked(keep);
   if (going == 0) return 0;
   keep_entries(file.mesh.triangles, keep);
-  for (attributes::Attribute& attribute : file.attributes)
-    if (!attribute.per_vertex()) keep_entries(attribute.corners, keep);
+  for (attributes::Attribute& attribute : file.attributes) {
+    if (attribute.per_vertex()) continue;
+    keep_entries(attribute.corners, keep);
+    // Without faces it would not show any more that the values are not those of the vertices.
+    if (attribute.corners.empty()) settle(attribute, file.mesh);
+  }
   return going;
 }
 

@@ -219,6 +219,17 @@ TEST_CASE("repair: faces that use what is broken go, in every format") {
   CHECK(stl.report.broken_faces == 1);
 }
 
+TEST_CASE("repair: values at corners when no face is left") {
+  const Folder folder;
+  const MeshFile file = folder.read(
+      "a.obj", "v nan 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvt 2 2\nf 1/1 2/1 3/1\nf 1/2 3/2 4/2\n",
+      Repair::fix);
+  CHECK(file.mesh.triangles.empty());
+  CHECK(file.mesh.points.size() == 3);
+  CHECK(file.attributes.at(0).values == std::vector<float>(6));
+  CHECK(unsound(file) == nullptr);
+}
+
 TEST_CASE("repair: of a polygon the triangles that use nothing broken stay") {
   const Folder folder;
   const MeshFile file =

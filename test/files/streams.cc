@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <thread>
 
+#include <iostream>
+
 #include "gltf_samples.hh"
 
 namespace whittle::files {
@@ -16,6 +18,7 @@ namespace {
 class Redirect {
  public:
   Redirect(int number, int file) : number_(number), kept_(::dup(number)) {
+    std::cout.flush();  // what the test program itself has yet to say
     REQUIRE(::dup2(file, number) == number);
   }
   Redirect(const Redirect&) = delete;

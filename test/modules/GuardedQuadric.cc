@@ -90,7 +90,7 @@ TEST_CASE("the guard of the guarded quadric judges by the mesh at the beginning"
 TEST_CASE("weights keep detail where they are high") {
   const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
   const auto left_of_zero = [](const IndexedMesh& m) {
-    return std::count_if(m.points.begin(), m.points.end(), [](const auto& p) { return p.x() < 0; });
+    return double(std::count_if(m.points.begin(), m.points.end(), [](const auto& p) { return p.x() < 0; }));
   };
   const auto plain = to_faces<Guarded>(mesh, 600, as_it_is);
   const auto weighted = to_faces<Guarded>(mesh, 600, [](Mesh& om, Guarded& module) {
@@ -99,7 +99,7 @@ TEST_CASE("weights keep detail where they are high") {
     for (const auto v : om.vertices()) om.property(weight, v) = om.point(v)[0] < 0 ? 100.0f : 1.0f;
     module.set_weight(weight);
   });
-  CHECK(left_of_zero(weighted) > 1.3 * double(left_of_zero(plain)));
+  CHECK(left_of_zero(weighted) > 1.3 * left_of_zero(plain));
 }
 
 TEST_CASE("the guarded quadric refuses what means nothing") {

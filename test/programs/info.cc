@@ -25,7 +25,7 @@ TEST_CASE("info counts what is in a file") {
 
 TEST_CASE("info says what the reader could not take as it stood") {
   const programs::Folder folder;
-  std::ofstream(folder / "quad.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng part\nf 1 2 3 4\n";
+  std::ofstream(folder / "quad.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng all\nf 1 2 3 4\n";
   const auto done =
       programs::run(WHITTLE_PROGRAM, {"info", folder / "quad.obj", "--json", folder / "i.json"});
   CHECK(done.code == 0);

@@ -29,7 +29,7 @@ IndexedMesh result(const TorusFile& in) {
 
 }  // namespace
 
-TEST_CASE("--max-distance is kept and said, with and without a target") {
+TEST_CASE("a bound by --max-distance is kept and said, with and without a target") {
   const TorusFile in;
   for (const std::string module : {"mq", "vt", "ss", "quadric", "ivdd:distance=2e"}) {
     INFO(module);
@@ -43,7 +43,7 @@ TEST_CASE("--max-distance is kept and said, with and without a target") {
   CHECK(missed["target_missed_because"][0] == "the bound on the distance allows no more");
 }
 
-TEST_CASE("--lock keeps a selection, and names what is wrong with one") {
+TEST_CASE("a lock keeps a selection, and names what is wrong with one") {
   const TorusFile in;
   const std::string list = in.folder / "keep.txt";
   std::ofstream(list) << "# first hundred\n";

@@ -72,7 +72,7 @@ TEST_CASE("compaction and garbage collection keep the same faces") {
 
 TEST_CASE("every contender is timed in every round, scored and counted") {
   std::ostringstream quiet;
-  bench::Progress progress(quiet, bench::ProgressStyle::silent);
+  terminal::Progress progress(quiet, terminal::ProgressStyle::silent);
   std::vector<speed::Subject> subjects(1, torus());
   const auto models = speed::run_rounds({speed::Suite::figures, 2, std::nullopt, 500}, subjects, progress);
   REQUIRE(models.size() == 1);

@@ -11,7 +11,7 @@ TEST_CASE("the page holds the machine, the goals and every contender") {
   const std::vector<speed::Subject> subjects(
       1, speed::make_subject("bunny", speed::in_float(meshes::torus(24, 16))));
   std::ostringstream quiet;
-  bench::Progress progress(quiet, bench::ProgressStyle::silent);
+  terminal::Progress progress(quiet, terminal::ProgressStyle::silent);
   auto run = speed::run_json(2, "vt");
   const speed::Settings settings{speed::Suite::figures, 1, std::regex("vt|copy"), 500};
   run["suites"].push_back(speed::suite_json(settings, speed::run_rounds(settings, subjects, progress)));

@@ -1,0 +1,72 @@
+/// \file
+/// libFuzzer's entry to one reader: WHITTLE_FUZZ_FORMAT names its format.
+///
+/// Whatever the bytes are, a Fault comes or a mesh that is sound; repaired it is manifold; and what is
+/// written of it reads back.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "files/Fault.hh"
+#include "files/formats.hh"
+#include "files/manifold.hh"
+#include "sound.hh"
+
+namespace {
+
+using namespace whittle::files;
+
+constexpr Format format = Format::WHITTLE_FUZZ_FORMAT;
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "%s\n", what);
+  std::abort();
+}
+
+MeshFile parsed(std::string_view bytes, Format as, Repair repair) {
+  std::size_t line = 0;
+  MeshFile file = parse(bytes, as, {repair}, line);
+  const char* what = unsound(file);
+  require(what == nullptr, what);
+  return file;
+}
+
+void check_manifold(const whittle::IndexedMesh& mesh) {
+  const NonManifold found = count_nonmanifold(mesh, sides_by_edge(mesh.triangles, mesh.points.size()));
+  require(found.edges == 0 && found.vertices == 0, "not manifold after repair");
+}
+
+void check_there_and_back(const MeshFile& file) {
+  const Format written = format == Format::gltf ? Format::glb : format;
+  WriteOptions options;
+  options.single_precision = file.single_precision;
+  WriteReport report;
+  std::string bytes;
+  try {
+    bytes = mesh_bytes(file.mesh, file.attributes, options, written, report);
+  } catch (const Fault&) {
+    return;  // too large for 32-bit floats
+  }
+  const MeshFile back = parsed(bytes, written, Repair::none);
+  const std::size_t faces = back.mesh.triangles.size() + back.report.dropped_degenerate;
+  require(faces == file.mesh.triangles.size(), "not as many faces there and back");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  try {
+    check_there_and_back(parsed(bytes, format, Repair::report));
+  } catch (const Fault&) {
+  }
+  try {
+    const MeshFile fixed = parsed(bytes, format, Repair::fix);
+    check_manifold(fixed.mesh);
+    check_there_and_back(fixed);
+  } catch (const Fault&) {
+  }
+  return 0;
+}

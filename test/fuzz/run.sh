@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Builds the fuzz targets with clang and runs each for some time, one after the other.
+#   test/fuzz/run.sh [SECONDS] [FORMAT ...]
+# SECONDS  for each target; 60 without
+# FORMAT   obj off ply stl om glb gltf; all without
+# What the runs find interesting stays in build/fuzz/corpus, and they begin with it and with test/fuzz/corpus.
+# An input that fails is left in build/fuzz/failures, and the exit status is 1.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+seconds=${1:-60}
+shift || true
+formats=("$@")
+((${#formats[@]})) || formats=(obj off ply stl om glb gltf)
+
+build=build/fuzz
+mkdir -p "$build"
+cmake -S . -B "$build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+  -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" -DWHITTLE_FUZZ=ON -DWHITTLE_WERROR=ON \
+  -DWHITTLE_BENCH=OFF -DWHITTLE_VIEWER=OFF -DWHITTLE_TESTS=OFF >"$build/configure.log" || { cat "$build/configure.log"; exit 1; }
+cmake --build "$build" --target "${formats[@]/#/fuzz_}"
+
+failed=0
+mkdir -p "$build/failures"
+printf '%-6s %12s %8s %10s %8s\n' format executions corpus coverage result
+for format in "${formats[@]}"; do
+  corpus=$build/corpus/$format
+  log=$build/$format.log
+  mkdir -p "$corpus"
+  options=(-max_total_time="$seconds" -max_len=4096 -timeout=20 -rss_limit_mb=2048 -print_final_stats=1
+           -artifact_prefix="$build/failures/$format-")
+  options+=(-dict="test/fuzz/dictionaries/${format/glb/gltf}.dict")
+  result=good
+  "$build/test/fuzz/fuzz_$format" "${options[@]}" "$corpus" "test/fuzz/corpus/$format" >"$log" 2>&1 || {
+    result=FAILED
+    failed=1
+  }
+  executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  coverage=$(sed -n 's/.* cov: \([0-9]*\).*/\1/p' "$log" | tail -n 1)
+  printf '%-6s %12s %8s %10s %8s\n' "$format" "${executions:-?}" "$(find "$corpus" -type f | wc -l)" \
+    "${coverage:-?}" "$result"
+done
+((failed == 0)) || echo "test/fuzz/run.sh: FAILED: see $build/*.log and $build/failures" >&2
+exit "$failed"
