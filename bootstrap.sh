@@ -13,8 +13,8 @@ packages=(
   libcli11-dev nlohmann-json3-dev libtinygltf-dev libembree-dev libpng-dev libmeshoptimizer-dev
   # Rendering: EGL without a window system, the software renderer, the viewer's window.
   libegl-dev libegl1 libgl1-mesa-dri libepoxy-dev libglfw3-dev libimgui-dev libfreetype-dev
-  # A font that can be read, and a display for tests.
-  fonts-dejavu-core xvfb
+  # A font that can be read; a display for tests, and a mouse on it.
+  fonts-dejavu-core xvfb libxcb1-dev
   # Tests, which open the report in a browser and run batches in parallel, and certificates for those who fetch over HTTPS.
   catch2 ca-certificates chromium parallel
 )

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "measure/Monitor.hh"
+
 namespace whittle::measure {
 
 namespace {
@@ -23,7 +25,13 @@ constexpr double kMargin = 2e-6;
 constexpr double kFar = 1e6;
 
 void check(RTCDevice device) {
-  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree cannot build its tree");
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_CANCELLED) throw Cancelled();
+  if (error != RTC_ERROR_NONE) throw std::runtime_error("Embree cannot build its tree");
+}
+
+bool ask(void* go_on, double /*part*/) {
+  return (*static_cast<const std::function<bool()>*>(go_on))();
 }
 
 }  // namespace
@@ -35,7 +43,8 @@ void ClosestFace::Release::operator()(RTCSceneTy* scene) const {
   rtcReleaseScene(scene);
 }
 
-ClosestFace::ClosestFace(const Surface& surface, unsigned threads) : surface_(surface) {
+ClosestFace::ClosestFace(const Surface& surface, unsigned threads, const std::function<bool()>& go_on)
+    : surface_(surface) {
   Eigen::Vector3d low = surface.point(surface.vertices().front()), high = low;
   for (const std::uint32_t vertex : surface.vertices()) {
     low = low.cwiseMin(surface.point(vertex));
@@ -67,7 +76,10 @@ ClosestFace::ClosestFace(const Surface& surface, unsigned threads) : surface_(su
     for (std::size_t i = 0; i < corner_count; ++i) index[i] = static_cast<unsigned>(i);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_.get(), geometry);
+    if (go_on)
+      rtcSetSceneProgressMonitorFunction(scene_.get(), ask, const_cast<std::function<bool()>*>(&go_on));
     rtcCommitScene(scene_.get());
+    rtcSetSceneProgressMonitorFunction(scene_.get(), nullptr, nullptr);
   }
   rtcReleaseGeometry(geometry);
   check(device_.get());

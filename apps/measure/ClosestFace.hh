@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,8 +23,10 @@ namespace whittle::measure {
 class ClosestFace {
  public:
   /// \param threads  that build the tree; 0: all cores.
-  ClosestFace(const Surface& surface, unsigned threads);
-  ClosestFace(Surface&& surface, unsigned threads) = delete;
+  /// \param go_on    asked now and then by any thread that builds; false ends it. It must not throw.
+  /// \throw Cancelled  go_on said so.
+  ClosestFace(const Surface& surface, unsigned threads, const std::function<bool()>& go_on = {});
+  ClosestFace(Surface&& surface, unsigned threads, const std::function<bool()>& go_on = {}) = delete;
 
   struct Answer {
     double squared_distance;

@@ -14,31 +14,32 @@ namespace whittle::measure {
 
 namespace {
 
+/// What a face costs in a search tree, compared with a search for a closest point.
+constexpr double kTreeWork = 0.25;
+
 struct Sums {
   double distance = 0, squared = 0, max_squared = 0;
 };
 
-Deviation deviation(const Surface& from, const ClosestFace& to, const DistanceOptions& options) {
-  const auto sampled =
-      in_blocks<Sums>(options.samples, options.threads, [&](std::size_t begin, std::size_t end) {
-        Sums sums;
-        for (std::size_t i = begin; i < end; ++i) {
-          const double squared = to.closest(from.sample(i, options.samples)).squared_distance;
-          sums.distance += std::sqrt(squared);
-          sums.squared += squared;
-          sums.max_squared = std::max(sums.max_squared, squared);
-        }
-        return sums;
-      });
+Deviation deviation(const Surface& from, const ClosestFace& to, std::size_t samples, const Crew& crew) {
+  const auto sampled = in_blocks<Sums>(samples, crew, [&](std::size_t begin, std::size_t end) {
+    Sums sums;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double squared = to.closest(from.sample(i, samples)).squared_distance;
+      sums.distance += std::sqrt(squared);
+      sums.squared += squared;
+      sums.max_squared = std::max(sums.max_squared, squared);
+    }
+    return sums;
+  });
   const auto& vertices = from.vertices();
-  const auto at_vertices =
-      in_blocks<double>(vertices.size(), options.threads, [&](std::size_t begin, std::size_t end) {
-        double max_squared = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-          max_squared = std::max(max_squared, to.closest(from.point(vertices[i])).squared_distance);
-        }
-        return max_squared;
-      });
+  const auto at_vertices = in_blocks<double>(vertices.size(), crew, [&](std::size_t begin, std::size_t end) {
+    double max_squared = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      max_squared = std::max(max_squared, to.closest(from.point(vertices[i])).squared_distance);
+    }
+    return max_squared;
+  });
 
   Sums total;
   for (const Sums& sums : sampled) {
@@ -48,17 +49,16 @@ Deviation deviation(const Surface& from, const ClosestFace& to, const DistanceOp
   }
   for (const double max_squared : at_vertices) total.max_squared = std::max(total.max_squared, max_squared);
 
-  const auto count = static_cast<double>(options.samples);
-  return {std::sqrt(total.squared / count), total.distance / count, std::sqrt(total.max_squared),
-          options.samples};
+  const auto count = static_cast<double>(samples);
+  return {std::sqrt(total.squared / count), total.distance / count, std::sqrt(total.max_squared), samples};
 }
 
 /// Where several original faces are equally near, as across a sharp edge, a face is flipped only if it is
 /// turned against all of them: which of them comes first is chance.
 std::size_t count_flipped(const Surface& simplified, const Surface& original,
-                          const ClosestFace& closest_original, double diagonal, unsigned threads) {
+                          const ClosestFace& closest_original, double diagonal, const Crew& crew) {
   const auto counts =
-      in_blocks<std::size_t>(simplified.size(), threads, [&](std::size_t begin, std::size_t end) {
+      in_blocks<std::size_t>(simplified.size(), crew, [&](std::size_t begin, std::size_t end) {
         std::size_t flipped = 0;
         for (std::size_t i = begin; i < end; ++i) {
           const Corners face = simplified.face(i);
@@ -91,27 +91,35 @@ double box_diagonal(const IndexedMesh& mesh) {
 
 }  // namespace
 
-Distance distance(const IndexedMesh& original, const IndexedMesh& simplified,
-                  const DistanceOptions& options) {
+Distance distance(const IndexedMesh& original, const IndexedMesh& simplified, const DistanceOptions& options,
+                  const Monitor& monitor) {
   if (options.samples == 0) throw InvalidParameter("the number of samples must be positive");
-  DistanceOptions resolved = options;
-  if (resolved.threads == 0) resolved.threads = std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads =
+      options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
 
   const Surface original_surface(original), simplified_surface(simplified);
-  const ClosestFace on_original(original_surface, resolved.threads);
-  const ClosestFace on_simplified(simplified_surface, resolved.threads);
+  const double on_trees =
+      kTreeWork * static_cast<double>(original_surface.size() + simplified_surface.size());
+  Watch watch(monitor, on_trees + static_cast<double>(
+                                      2 * options.samples + original_surface.vertices().size() +
+                                      simplified_surface.vertices().size() + simplified_surface.size()));
+  const auto go_on = [&watch] { return watch.done(0); };
+  const ClosestFace on_original(original_surface, threads, go_on);
+  const ClosestFace on_simplified(simplified_surface, threads, go_on);
+  watch.done(on_trees);
+  const Crew crew{threads, watch};
 
   Distance result;
   result.diagonal = box_diagonal(original);
-  result.forward = deviation(original_surface, on_simplified, resolved);
-  result.backward = deviation(simplified_surface, on_original, resolved);
+  result.forward = deviation(original_surface, on_simplified, options.samples, crew);
+  result.backward = deviation(simplified_surface, on_original, options.samples, crew);
   const Deviation &forward = result.forward, &backward = result.backward;
   result.two_sided.rms = std::sqrt((forward.rms * forward.rms + backward.rms * backward.rms) / 2);
   result.two_sided.mean = (forward.mean + backward.mean) / 2;
   result.two_sided.max = std::max(forward.max, backward.max);
   result.two_sided.samples = forward.samples + backward.samples;
   result.flipped_faces =
-      count_flipped(simplified_surface, original_surface, on_original, result.diagonal, resolved.threads);
+      count_flipped(simplified_surface, original_surface, on_original, result.diagonal, crew);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "measure/Monitor.hh"
 #include "whittle/IndexedMesh.hh"
 
 namespace whittle::measure {
@@ -38,7 +39,10 @@ struct DistanceOptions {
 /// \throw InvalidMesh  one of the meshes has no face of positive area, or a coordinate that is not finite.
 ///
 /// \throw InvalidParameter  no samples are asked for.
+///
+/// \throw Cancelled  the monitor said so: within some thousand samples, or while a search tree is built. The
+/// result does not depend on whether somebody follows.
 Distance distance(const IndexedMesh& original, const IndexedMesh& simplified,
-                  const DistanceOptions& options = {});
+                  const DistanceOptions& options = {}, const Monitor& monitor = {});
 
 }  // namespace whittle::measure

@@ -28,32 +28,32 @@ std::vector<FarVertex> unique(std::vector<FarVertex> all) {
   return all;
 }
 
-Found far_vertices(const Surface& from, const ClosestFace& to, double bound, const DistanceOptions& options) {
+Found far_vertices(const Surface& from, const ClosestFace& to, double bound, std::size_t samples,
+                   const Crew& crew) {
   const auto distance = [&](Found& found, const Eigen::Vector3d& point) {
     const double squared = to.closest(point).squared_distance;
     found.max_squared = std::max(found.max_squared, squared);
     return std::sqrt(squared);
   };
-  auto blocks = in_blocks<Found>(options.samples, options.threads, [&](std::size_t begin, std::size_t end) {
+  auto blocks = in_blocks<Found>(samples, crew, [&](std::size_t begin, std::size_t end) {
     Found found;
     for (std::size_t i = begin; i < end; ++i) {
-      const double d = distance(found, from.sample(i, options.samples));
+      const double d = distance(found, from.sample(i, samples));
       if (d > bound)
-        for (const std::uint32_t v : from.triangle(from.sampled_face(i, options.samples)))
+        for (const std::uint32_t v : from.triangle(from.sampled_face(i, samples)))
           found.vertices.push_back({v, d});
     }
     return found;
   });
   const auto& vertices = from.vertices();
-  const auto at_vertices =
-      in_blocks<Found>(vertices.size(), options.threads, [&](std::size_t begin, std::size_t end) {
-        Found found;
-        for (std::size_t i = begin; i < end; ++i) {
-          const double d = distance(found, from.point(vertices[i]));
-          if (d > bound) found.vertices.push_back({vertices[i], d});
-        }
-        return found;
-      });
+  const auto at_vertices = in_blocks<Found>(vertices.size(), crew, [&](std::size_t begin, std::size_t end) {
+    Found found;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double d = distance(found, from.point(vertices[i]));
+      if (d > bound) found.vertices.push_back({vertices[i], d});
+    }
+    return found;
+  });
   blocks.insert(blocks.end(), at_vertices.begin(), at_vertices.end());
 
   Found all;
@@ -68,17 +68,21 @@ Found far_vertices(const Surface& from, const ClosestFace& to, double bound, con
 }  // namespace
 
 Excess excess(const IndexedMesh& original, const IndexedMesh& simplified, double bound,
-              const DistanceOptions& options) {
+              const DistanceOptions& options, const Monitor& monitor) {
   if (options.samples == 0) throw InvalidParameter("the number of samples must be positive");
   if (!(bound >= 0)) throw InvalidParameter("the bound of a distance must not be negative");
-  DistanceOptions resolved = options;
-  if (resolved.threads == 0) resolved.threads = std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads =
+      options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
 
   const Surface original_surface(original), simplified_surface(simplified);
-  const ClosestFace on_original(original_surface, resolved.threads);
-  const ClosestFace on_simplified(simplified_surface, resolved.threads);
-  Found forward = far_vertices(original_surface, on_simplified, bound, resolved);
-  Found backward = far_vertices(simplified_surface, on_original, bound, resolved);
+  Watch watch(monitor, static_cast<double>(2 * options.samples + original_surface.vertices().size() +
+                                           simplified_surface.vertices().size()));
+  const auto go_on = [&watch] { return watch.done(0); };
+  const ClosestFace on_original(original_surface, threads, go_on);
+  const ClosestFace on_simplified(simplified_surface, threads, go_on);
+  const Crew crew{threads, watch};
+  Found forward = far_vertices(original_surface, on_simplified, bound, options.samples, crew);
+  Found backward = far_vertices(simplified_surface, on_original, bound, options.samples, crew);
   return {std::move(forward.vertices), std::move(backward.vertices),
           std::sqrt(std::max(forward.max_squared, backward.max_squared))};
 }

@@ -19,7 +19,7 @@ struct FarVertex {
 
 struct Excess {
   std::vector<FarVertex> original, simplified;  ///< each vertex once, in ascending order
-  double max = 0;  ///< the largest distance of all, as in Distance::two_sided
+  double max = 0;                               ///< the largest distance of all, as in Distance::two_sided
 
   bool none() const { return original.empty() && simplified.empty(); }
 };
@@ -28,6 +28,6 @@ struct Excess {
 /// \param bound  model units, not negative.
 /// \throw  as distance().
 Excess excess(const IndexedMesh& original, const IndexedMesh& simplified, double bound,
-              const DistanceOptions& options = {});
+              const DistanceOptions& options = {}, const Monitor& monitor = {});
 
 }  // namespace whittle::measure

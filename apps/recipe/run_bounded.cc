@@ -28,7 +28,15 @@ Tried attempt(const Work& work, double bound) {
   const IndexedMesh& after = tried.ran.sum.mesh;
   if (!has_area(work.mesh)) return tried;
   if (has_area(after)) {
-    tried.excess = measure::excess(work.mesh, after, bound);
+    const auto go_on = [&](double) {
+      return !work.monitor ||
+             work.monitor({work.stages.size() - 1, work.stages.size(), after.triangles.size()});
+    };
+    try {
+      tried.excess = measure::excess(work.mesh, after, bound, {}, go_on);
+    } catch (const measure::Cancelled&) {
+      throw Cancelled();
+    }
   } else {  // everything is gone
     constexpr double kFar = std::numeric_limits<double>::infinity();
     for (std::uint32_t v = 0; v < work.mesh.points.size(); ++v) tried.excess.original.push_back({v, kFar});

@@ -1,6 +1,7 @@
 /// \file
 /// `whittle-viewer`: see what an algorithm does, while it does it.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -32,6 +33,7 @@ int complain(std::string message) {
 
 struct Options {
   std::string model, recipe, screenshot, script, settings, size;
+  double budget = 30;
   bool by_itself() const { return !screenshot.empty() || !script.empty(); }
 };
 
@@ -42,7 +44,12 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--screenshot", options.screenshot, "Write the window as PNG once all is done, and exit")
       ->type_name("OUT.png");
   app.add_option("--script", options.script, "Do what a file says, one command a line")->type_name("FILE");
-  app.add_option("--size", options.size, "Of the window, in pixels")->type_name("WIDTHxHEIGHT");
+  app.add_option("--size", options.size, "Of the window, in pixels of an ordinary screen")
+      ->type_name("WIDTHxHEIGHT");
+  app.add_option("--frame-budget", options.budget,
+                 "For so long drawing a large mesh may hold up the window at a time; default 30")
+      ->type_name("MILLISECONDS")
+      ->check(CLI::Range(0.0, 10000.0));
   app.add_option("--settings", options.settings,
                  "Keep the settings in this file; without it, scripts and screenshots use none")
       ->type_name("FILE");
@@ -107,20 +114,20 @@ int view(const Options& options) {
   if (!session.problem().empty() && options.by_itself()) throw recipe::RecipeError(session.problem());
 
   const bool visible = options.screenshot.empty() || !script.empty();
-  Window window(settings.width, settings.height, "Whittle", settings.smooth_edges ? 4 : 1, visible);
-  App app(window, session, settings, settings.view);
+  Window window(settings.width, settings.height, "Whittle", visible);
+  App app(window, session, settings, settings.view, options.budget);
   if (!options.model.empty()) session.open(options.model);
   if (options.by_itself() && !options.model.empty()) app.settle();
   if (!script.empty() || options.screenshot.empty()) app.run(std::move(script));
   if (!options.screenshot.empty()) {
     app.settle();
     files::write_file(options.screenshot,
-                      render::encode_png(app.picture(settings.width, settings.height, true)));
+                      render::encode_png(app.picture(window.width(), window.height(), true)));
   }
   if (!settings_file.empty()) {
-    if (options.size.empty() && window.width() > 0) {
-      settings.width = window.width();
-      settings.height = window.height();
+    if (options.size.empty() && window.width() > 0) {  // as it will be asked for again, on whatever screen
+      settings.width = static_cast<int>(std::lround(window.width() / window.content_scale()));
+      settings.height = static_cast<int>(std::lround(window.height() / window.content_scale()));
     }
     settings.view = app.view();
     settings.recipe = options_text(session.recipe());

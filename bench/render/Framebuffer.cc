@@ -20,6 +20,19 @@ GLint limit(GLenum name) {
 
 }  // namespace
 
+Image read_pixels(int width, int height) {
+  const std::size_t stride = 4 * static_cast<std::size_t>(width);
+  Image image{width, height, std::vector<std::uint8_t>(stride * height)};
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+
+  // OpenGL's first row is the lowest.
+  for (int y = 0; y < height / 2; ++y)
+    std::swap_ranges(image.rgba.begin() + y * stride, image.rgba.begin() + (y + 1) * stride,
+                     image.rgba.begin() + (height - 1 - y) * stride);
+  return image;
+}
+
 Framebuffer::Framebuffer(int width, int height, int samples) : width_(width), height_(height) {
   const GLint largest = std::min(limit(GL_MAX_RENDERBUFFER_SIZE), limit(GL_MAX_VIEWPORT_DIMS));
   if (width < 1 || height < 1 || width > largest || height > largest)
@@ -47,6 +60,14 @@ void Framebuffer::bind() const {
   glViewport(0, 0, width_, height_);
 }
 
+void Framebuffer::copy_to(GLuint framebuffer, int x, int y) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
 Image Framebuffer::read() const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_->framebuffer.name());
   if (resolved_) {
@@ -54,16 +75,8 @@ Image Framebuffer::read() const {
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_->framebuffer.name());
   }
-  const std::size_t stride = 4 * static_cast<std::size_t>(width_);
-  Image image{width_, height_, std::vector<std::uint8_t>(stride * height_)};
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  Image image = read_pixels(width_, height_);
   bind();
-
-  // OpenGL's first row is the lowest.
-  for (int y = 0; y < height_ / 2; ++y)
-    std::swap_ranges(image.rgba.begin() + y * stride, image.rgba.begin() + (y + 1) * stride,
-                     image.rgba.begin() + (height_ - 1 - y) * stride);
   return image;
 }
 

@@ -9,6 +9,10 @@
 
 namespace whittle::render {
 
+/// The lower left part of what has been drawn into the bound framebuffer, which must have one sample a pixel.
+/// Waits until the device is done.
+Image read_pixels(int width, int height);
+
 /// Eight-bit RGBA colour and 24-bit depth.
 class Framebuffer {
  public:
@@ -18,6 +22,13 @@ class Framebuffer {
 
   /// Drawing goes here from now on, over the whole picture.
   void bind() const;
+
+  /// Copies the picture into another framebuffer of OpenGL (0 is the window's), with its lower left corner at
+  /// a pixel there, and goes on with that one bound. What does not fit is cut off. One with several samples
+  /// is smoothed on the way, which works into another Framebuffer only.
+  void copy_to(GLuint framebuffer, int x, int y) const;
+
+  GLuint name() const { return drawn_->framebuffer.name(); }
 
   /// What has been drawn. Waits until the device is done.
   Image read() const;

@@ -49,11 +49,9 @@ HeatPainter::HeatPainter() {
 }
 
 void HeatPainter::draw(const MeshBuffers& mesh, const Camera& camera) const {
-  const Look look;
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  glClearColor(look.background.x(), look.background.y(), look.background.z(), 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  clear(Look());
 
   glUseProgram(program_.name());
   set_uniform(model_view_, camera.view * Eigen::Affine3d(Eigen::Translation3d(mesh.origin())).matrix());

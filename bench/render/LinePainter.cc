@@ -67,6 +67,13 @@ void main() {
 }
 )";
 
+/// Hands the bound buffer to the bound vertex array, and lets go of that.
+void take_positions() {
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(0);
+}
+
 void link(GLuint program, const char* geometry) {
   const GLuint shader = glCreateShader(GL_GEOMETRY_SHADER);
   const char* sources[] = {kGeometryHead, geometry};
@@ -79,23 +86,33 @@ void link(GLuint program, const char* geometry) {
 
 }  // namespace
 
-PointBuffer::PointBuffer(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& origin)
-    : origin_(origin), size_(points.size()) {
-  std::vector<Eigen::Vector3f> positions;
-  positions.reserve(points.size());
-  for (const auto& point : points) positions.push_back((point - origin).cast<float>());
+PointBuffer::PointBuffer(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& origin)
+    : indexed_(false), origin_(origin), size_(points.size()) {
   glBindVertexArray(vertex_array_.name());
-  glBindBuffer(GL_ARRAY_BUFFER, positions_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(positions.size() * sizeof(Eigen::Vector3f)),
-               positions.data(), GL_STATIC_DRAW);
-  glEnableVertexAttribArray(0);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points.size() * sizeof(Eigen::Vector3f)),
+               points.data(), GL_STATIC_DRAW);
+  take_positions();
 }
 
-void PointBuffer::draw(GLenum mode) const {
+PointBuffer::PointBuffer(const MeshBuffers& mesh, const std::vector<std::array<std::uint32_t, 2>>& ends)
+    : indexed_(true), origin_(mesh.origin()), size_(2 * ends.size()) {
   glBindVertexArray(vertex_array_.name());
-  glDrawArrays(mode, 0, static_cast<GLsizei>(size_));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer_.name());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(size_ * sizeof(std::uint32_t)), ends.data(),
+               GL_STATIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, mesh.positions());
+  take_positions();
+}
+
+void PointBuffer::draw(GLenum mode, Part part) const {
+  glBindVertexArray(vertex_array_.name());
+  const auto count = static_cast<GLsizei>(part.of(size_));
+  if (indexed_)
+    glDrawElements(mode, count, GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)));
+  else
+    glDrawArrays(mode, static_cast<GLint>(part.first), count);
 }
 
 LinePainter::LinePainter() {
@@ -104,18 +121,19 @@ LinePainter::LinePainter() {
 }
 
 void LinePainter::draw_lines(const PointBuffer& ends, const Camera& camera, const Eigen::Vector4f& colour,
-                             float width) const {
-  draw(ends, camera, colour, width, GL_LINES);
+                             float width, Part part) const {
+  const std::size_t n = part.of(ends.size() / 2);
+  draw(ends, camera, colour, width, GL_LINES, {2 * part.first, 2 * n});
 }
 
 void LinePainter::draw_dots(const PointBuffer& points, const Camera& camera, const Eigen::Vector4f& colour,
-                            float width) const {
-  draw(points, camera, colour, width, GL_POINTS);
+                            float width, Part part) const {
+  draw(points, camera, colour, width, GL_POINTS, part);
 }
 
 void LinePainter::draw(const PointBuffer& points, const Camera& camera, const Eigen::Vector4f& colour,
-                       float width, GLenum mode) const {
-  if (points.size() == 0) return;
+                       float width, GLenum mode, Part part) const {
+  if (part.of(points.size()) == 0) return;
   GLint viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
   const GLuint program = mode == GL_LINES ? lines_.name() : dots_.name();
@@ -131,7 +149,7 @@ void LinePainter::draw(const PointBuffer& points, const Camera& camera, const Ei
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // stays opaque
-  points.draw(mode);
+  points.draw(mode, part);
   glDisable(GL_BLEND);
 }
 

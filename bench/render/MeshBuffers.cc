@@ -37,28 +37,31 @@ Eigen::AlignedBox3d bounding_box(const IndexedMesh& mesh) {
   return box;
 }
 
-MeshBuffers::MeshBuffers(const IndexedMesh& mesh, const std::vector<float>& values)
-    : triangles_(mesh.triangles.size()) {
-  if (!mesh.points.empty()) origin_ = bounding_box(mesh).center();
-  std::vector<Eigen::Vector3f> positions;
+MeshArrays::MeshArrays(const IndexedMesh& mesh) : normals(vertex_normals(mesh)) {
+  if (!mesh.points.empty()) origin = bounding_box(mesh).center();
   positions.reserve(mesh.points.size());
-  for (const auto& point : mesh.points) positions.push_back((point - origin_).cast<float>());
+  for (const auto& point : mesh.points) positions.push_back((point - origin).cast<float>());
+}
 
+MeshBuffers::MeshBuffers(const MeshArrays& arrays, const std::vector<IndexedMesh::Triangle>& triangles,
+                         const std::vector<float>& values)
+    : origin_(arrays.origin), triangles_(triangles.size()) {
   glBindVertexArray(vertex_array_.name());
-  fill(positions_, 0, positions);
-  fill(normals_, 1, vertex_normals(mesh));
+  fill(positions_, 0, arrays.positions);
+  fill(normals_, 1, arrays.normals);
   if (!values.empty()) fill(values_, 2, values);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(IndexedMesh::Triangle)),
-               mesh.triangles.data(), GL_STATIC_DRAW);
+               static_cast<GLsizeiptr>(triangles.size() * sizeof(IndexedMesh::Triangle)), triangles.data(),
+               GL_STATIC_DRAW);
   glBindVertexArray(0);
   if (glGetError() != GL_NO_ERROR) throw RenderError("the mesh does not fit into the graphics memory");
 }
 
-void MeshBuffers::draw() const {
+void MeshBuffers::draw(Part part) const {
   glBindVertexArray(vertex_array_.name());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles_), GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * part.of(triangles_)), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(part.first * sizeof(IndexedMesh::Triangle)));
 }
 
 }  // namespace whittle::render

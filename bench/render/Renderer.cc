@@ -49,6 +49,11 @@ void main() {
 
 }  // namespace
 
+void clear(const Look& look) {
+  glClearColor(look.background.x(), look.background.y(), look.background.z(), 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
 Renderer::Renderer() {
   link_program(program_.name(), kVertexShader, kFragmentShader);
   model_view_ = glGetUniformLocation(program_.name(), "model_view");
@@ -58,18 +63,20 @@ Renderer::Renderer() {
 }
 
 void Renderer::draw(const MeshBuffers& mesh, const Camera& camera, const Look& look) const {
+  clear(look);
+  draw_part(mesh, camera, look, {});
+}
+
+void Renderer::draw_part(const MeshBuffers& mesh, const Camera& camera, const Look& look, Part part) const {
   glEnable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  glClearColor(look.background.x(), look.background.y(), look.background.z(), 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
   glUseProgram(program_.name());
   // In double, so that the mesh's origin and the eye cancel before rounding.
   set_uniform(model_view_, camera.view * Eigen::Affine3d(Eigen::Translation3d(mesh.origin())).matrix());
   set_uniform(projection_, camera.projection);
   glUniform3fv(front_, 1, look.front.data());
   glUniform3fv(back_, 1, look.back.data());
-  mesh.draw();
+  mesh.draw(part);
 }
 
 }  // namespace whittle::render

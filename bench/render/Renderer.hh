@@ -18,6 +18,9 @@ struct Look {
   Eigen::Vector3f background = {0.34f, 0.37f, 0.40f};  ///< cool, so neither side is ever taken for it
 };
 
+/// Makes the bound framebuffer empty, within the scissors if they are on.
+void clear(const Look& look);
+
 /// The three lights are fixed to the eye, so a model looks the same from every side: a key light from the
 /// upper left, a weak fill from the right, a headlight; besides them a sky that is brighter above than below.
 class Renderer {
@@ -28,6 +31,9 @@ class Renderer {
 
   /// Clears the bound framebuffer and draws the mesh into its viewport.
   void draw(const MeshBuffers& mesh, const Camera& camera, const Look& look = {}) const;
+
+  /// Some triangles of the mesh, over what is there. All parts one after the other give the whole picture.
+  void draw_part(const MeshBuffers& mesh, const Camera& camera, const Look& look, Part part) const;
 
  private:
   GlObject<ProgramKind> program_;

@@ -97,7 +97,7 @@ SurfacePainter::SurfacePainter() {
 }
 
 void SurfacePainter::draw(const MeshBuffers& mesh, const Camera& camera, const SurfaceStyle& style,
-                          const Look& look) const {
+                          const Look& look, Part part) const {
   const GLuint program = surface_.name();
   use(program, mesh, camera);
   set(program, "flat_faces", style.flat);
@@ -108,11 +108,11 @@ void SurfacePainter::draw(const MeshBuffers& mesh, const Camera& camera, const S
   glUniform3fv(glGetUniformLocation(program, "front"), 1, look.front.data());
   glUniform3fv(glGetUniformLocation(program, "back"), 1, look.back.data());
   if (style.values) style.values->bind(0);
-  mesh.draw();
+  mesh.draw(part);
 }
 
 void SurfacePainter::draw_wires(const MeshBuffers& mesh, const Camera& camera, const Eigen::Vector4f& front,
-                                const Eigen::Vector4f& back) const {
+                                const Eigen::Vector4f& back, Part part) const {
   const GLuint program = wires_.name();
   use(program, mesh, camera);
   set(program, "heated", 0);
@@ -122,7 +122,7 @@ void SurfacePainter::draw_wires(const MeshBuffers& mesh, const Camera& camera, c
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // stays opaque
   glDepthFunc(GL_LEQUAL);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  mesh.draw();
+  mesh.draw(part);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);

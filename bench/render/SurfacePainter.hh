@@ -26,13 +26,13 @@ class SurfacePainter {
   /// \pre as of Renderer. \throw RenderError  the driver does not take the shaders.
   SurfacePainter();
 
-  void draw(const MeshBuffers& mesh, const Camera& camera, const SurfaceStyle& style,
-            const Look& look = {}) const;
+  void draw(const MeshBuffers& mesh, const Camera& camera, const SurfaceStyle& style, const Look& look = {},
+            Part part = {}) const;
 
   /// The edges of all faces, one pixel wide; those of faces seen from behind in the colour `back`. Colours
   /// are red, green, blue and opacity. Draw the faces with a PushBack before, or they hide half of the wires.
   void draw_wires(const MeshBuffers& mesh, const Camera& camera, const Eigen::Vector4f& front,
-                  const Eigen::Vector4f& back) const;
+                  const Eigen::Vector4f& back, Part part = {}) const;
 
  private:
   GlObject<ProgramKind> surface_, wires_;

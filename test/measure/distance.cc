@@ -1,7 +1,9 @@
 #include "measure/Distance.hh"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "catch.hh"
 #include "meshes.hh"
@@ -114,6 +116,35 @@ TEST_CASE("the number of threads does not change a bit of the result") {
     CHECK(same(d.backward, one.backward));
     CHECK(same(d.two_sided, one.two_sided));
     CHECK(d.flipped_faces == one.flipped_faces);
+  }
+}
+
+TEST_CASE("a monitor sees the work go on to its end and changes nothing") {
+  const IndexedMesh original = torus(60, 30), simplified = torus(30, 15);
+  std::vector<double> parts;
+  const Distance watched = distance(original, simplified, kQuick, [&](double part) {
+    parts.push_back(part);
+    return true;
+  });
+  REQUIRE(parts.size() > 20);
+  CHECK(std::is_sorted(parts.begin(), parts.end()));
+  CHECK(parts.front() < 0.1);
+  CHECK(parts.back() == 1);
+  const Distance alone = distance(original, simplified, kQuick);
+  CHECK(same(watched.two_sided, alone.two_sided));
+  CHECK(watched.flipped_faces == alone.flipped_faces);
+}
+
+TEST_CASE("a monitor ends a measurement wherever it is, and is not asked again") {
+  const IndexedMesh original = torus(200, 100), simplified = torus(100, 50);
+  std::size_t in_all = 0;
+  distance(original, simplified, kQuick, [&](double) { return ++in_all > 0; });
+  for (std::size_t patience = 0; patience < in_all * 9 / 10; patience += 1 + in_all / 12) {
+    INFO(patience << " of " << in_all);
+    std::size_t asked = 0;
+    CHECK_THROWS_AS(distance(original, simplified, kQuick, [&](double) { return ++asked <= patience; }),
+                    Cancelled);
+    CHECK(asked == patience + 1);
   }
 }
 

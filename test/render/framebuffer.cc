@@ -50,3 +50,23 @@ TEST_CASE("an impossible size is an error") {
   CHECK_THROWS_AS(render::Framebuffer(0, 16), render::RenderError);
   CHECK_THROWS_AS(render::Framebuffer(16, 1 << 20), render::RenderError);
 }
+
+TEST_CASE("a picture is copied to its place in another one, smoothed on the way") {
+  const egl::EglContext context;
+  const render::Renderer renderer;
+  const render::Framebuffer large(40, 30), smooth(16, 16, 4), plain(16, 16);
+  const render::MeshBuffers mesh(corner_triangle());
+  smooth.bind();
+  renderer.draw(mesh, {});
+  const auto expected = smooth.read();
+  smooth.copy_to(plain.name(), 0, 0);
+  CHECK(plain.read().rgba == expected.rgba);
+  large.bind();
+  glClear(GL_COLOR_BUFFER_BIT);
+  plain.copy_to(large.name(), 20, 3);
+  const auto image = large.read();
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) CHECK(image.at(20 + x, 30 - 3 - 16 + y) == expected.at(x, y));
+  plain.copy_to(large.name(), 32, 20);  // what does not fit is cut off
+  CHECK(large.read().at(39, 0) == expected.at(7, 6));
+}

@@ -4,6 +4,7 @@
 
 #include "catch.hh"
 #include "egl/EglContext.hh"
+#include "meshes.hh"
 #include "render/Framebuffer.hh"
 #include "triangles.hh"
 
@@ -96,4 +97,22 @@ TEST_CASE("a model far from the origin looks as near it") {
   const auto here = view(mesh);
   for (auto& p : mesh.points) p += Eigen::Vector3d(4e6, -2e6, 1e6);
   CHECK(view(mesh).rgba == here.rgba);
+}
+
+TEST_CASE("a mesh drawn part by part is the whole mesh") {
+  const egl::EglContext context;
+  const IndexedMesh mesh = meshes::torus(24, 16);
+  const render::Framebuffer framebuffer(64, 64);
+  const render::Renderer renderer;
+  const render::MeshBuffers buffers(mesh);
+  const Eigen::AlignedBox3d box = render::bounding_box(mesh);
+  const render::Camera camera = render::frame(box, box, 1);
+  renderer.draw(buffers, camera);
+  const auto whole = framebuffer.read();
+  render::clear({});
+  for (std::size_t first = 0; first < buffers.triangles(); first += 100)
+    renderer.draw_part(buffers, camera, {}, {first, 100});
+  CHECK(framebuffer.read().rgba == whole.rgba);
+  renderer.draw_part(buffers, camera, {}, {buffers.triangles(), 5});  // nothing is left
+  CHECK(framebuffer.read().rgba == whole.rgba);
 }

@@ -33,7 +33,7 @@ class Display {
       close(ends[0]);
       const int nowhere = open("/dev/null", O_WRONLY);
       dup2(nowhere, 2);
-      execl(XVFB, "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1600x1200x24", "-nolisten", "tcp",
+      execl(XVFB, "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "2400x1600x24", "-nolisten", "tcp",
             static_cast<char*>(nullptr));
       _exit(127);
     }

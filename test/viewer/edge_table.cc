@@ -1,5 +1,7 @@
 #include "model/EdgeTable.hh"
 
+#include <algorithm>
+
 #include "catch.hh"
 #include "meshes.hh"
 
@@ -9,7 +11,7 @@ using namespace whittle::viewer;
 namespace {
 
 std::size_t count(const std::vector<Edge>& edges, EdgeSet set, double angle = 40) {
-  return select(edges, set, angle).size();
+  return EdgeSets(edges).count(set, angle);
 }
 
 }  // namespace
@@ -51,5 +53,22 @@ TEST_CASE("an inner edge between two boundary vertices is locked") {
   const auto edges = edge_table(square);
   CHECK(count(edges, EdgeSet::boundary) == 4);
   REQUIRE(count(edges, EdgeSet::locked) == 1);
-  CHECK(select(edges, EdgeSet::locked, 40).front() == std::array<std::uint32_t, 2>{0, 2});
+  CHECK(EdgeSets(edges).of(EdgeSet::locked).front() == EdgeSets::Ends{0, 2});
+}
+
+TEST_CASE("features stand in order: another angle is another count") {
+  const auto edges = edge_table(meshes::torus(12, 8));
+  const EdgeSets sets(edges);
+  REQUIRE(sets.of(EdgeSet::feature).size() == edges.size());
+  for (const double angle : {0.0, 20.0, 31.4, 40.0, 180.0}) {
+    const auto sharp = [&](const Edge& edge) { return double(edge.angle) >= angle; };
+    const std::size_t count = sets.count(EdgeSet::feature, angle);
+    CHECK(count == static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), sharp)));
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto found = std::find_if(edges.begin(), edges.end(), [&](const Edge& edge) {
+        return edge.ends == sets.of(EdgeSet::feature)[i];
+      });
+      CHECK(sharp(*found));
+    }
+  }
 }

@@ -31,6 +31,20 @@ TEST_CASE("the quality is 1 for equilateral and 0 for degenerate triangles") {
   CHECK(values[2] == 0);
 }
 
+TEST_CASE("a pair of histograms has one axis, which both meshes fit on") {
+  const std::vector<float> before{1, 2, 3}, after{4, 5, 6, 30};
+  const HistogramPair alone = histograms(Quantity::edge_length, before, nullptr);
+  CHECK(alone.original.high == 2);  // of three values the second is the last below 99.9 %
+  CHECK(alone.result.bins == std::vector<std::size_t>(alone.original.bins.size(), 0));
+  const HistogramPair both = histograms(Quantity::edge_length, before, &after);
+  CHECK(both.original.high == 6);
+  CHECK(both.result.high == 6);
+  CHECK(both.original.above == 0);
+  CHECK(both.result.above == 1);
+  CHECK(histograms(Quantity::quality, before, nullptr).original.high == 1);
+  CHECK(histograms(Quantity::edge_length, {0, 0}, nullptr).original.high == 1);
+}
+
 TEST_CASE("the values of a mesh: one length an edge, one angle an inner edge, one quality a face") {
   const IndexedMesh mesh = meshes::tetrahedron();
   const auto edges = edge_table(mesh);

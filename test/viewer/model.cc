@@ -17,7 +17,7 @@ std::shared_ptr<const Model> torus_model(const programs::Folder& folder) {
   return load_model(folder / "torus.obj");
 }
 
-const auto kAlways = [] { return true; };
+const auto kAlways = [](double) { return true; };
 
 }  // namespace
 
@@ -74,9 +74,22 @@ TEST_CASE("a comparison gives up when it is not wanted") {
   const programs::Folder folder;
   Comparer comparer;
   const auto outcome = make_outcome(torus_model(folder), parse_options("vt"));
-  for (int patience = 0; patience < 4; ++patience) {
-    int left = patience;
-    CHECK_FALSE(comparer.compare(outcome, [&] { return left-- > 0; }));
+  int in_all = 0;
+  double last = 0;
+  bool rising = true;
+  REQUIRE(comparer.compare(outcome, [&](double part) {
+    ++in_all;
+    rising = rising && part >= last;
+    last = part;
+    return true;
+  }));
+  CHECK(rising);
+  CHECK(last == Approx(1));
+  CHECK(in_all > 100);  // the distance alone has so many blocks: nothing goes on for long
+  for (int patience = 0; patience < in_all * 9 / 10; patience += 1 + in_all / 8) {
+    int asked = 0;
+    CHECK_FALSE(comparer.compare(outcome, [&](double) { return ++asked <= patience; }));
+    CHECK(asked == patience + 1);
   }
 }
 

@@ -13,11 +13,16 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-void settle(Session& session) {
+template <typename Condition>
+void poll_while(Session& session, Condition condition) {
   do {
-    std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
     session.poll();
-  } while (!session.settled());
+  } while (condition());
+}
+
+void settle(Session& session) {
+  poll_while(session, [&] { return !session.settled(); });
 }
 
 /// A session with a torus open.
@@ -118,6 +123,71 @@ TEST_CASE("what is exported is what was measured") {
     CHECK(file.mesh.triangles.size() == opened.session.outcome()->mesh().triangles.size());
   }
   CHECK_THROWS_AS(opened.session.export_result(opened.folder / "a.xyz", false), files::FileError);
+}
+
+TEST_CASE("a result is exported by a worker, which says when it is done and what went wrong") {
+  Opened opened;
+  opened.session.begin_export(opened.folder / "a.obj", false);
+  std::string written;
+  while (!opened.session.settled()) {
+    const News news = opened.session.poll();
+    if (!news.written.empty()) written = news.written;
+  }
+  CHECK(written == opened.folder / "a.obj");
+  CHECK(files::read_mesh(written).mesh.triangles.size() == opened.session.outcome()->mesh().triangles.size());
+  opened.session.begin_export("/none/a.ply", false);
+  settle(opened.session);
+  REQUIRE(opened.session.errors.size() == 1);
+  CHECK_THAT(opened.session.errors.front(), Contains("/none"));
+}
+
+TEST_CASE("a newer change ends the measurement of the result before it") {
+  const programs::Folder folder;
+  files::write_mesh(folder / "torus.ply", meshes::torus(250, 150));
+  Session session;
+  session.open(folder / "torus.ply");
+  poll_while(session, [&] { return session.part_done().value_or(0) == 0 && !session.comparison(); });
+  session.change(
+      parse_options("quadric --ratio 0.1 --driver decimater"));  // takes much longer than measuring
+  poll_while(session, [&] { return session.measuring(); });
+  CHECK(session.decimating());
+  CHECK_FALSE(session.comparison());
+  session.change(parse_options("vt"));
+  settle(session);
+  CHECK(options_text(session.comparison()->outcome->recipe) == "--module vt");
+  CHECK(session.outcome_is_current());
+}
+
+TEST_CASE("a change to a recipe that cannot run leaves the result, and measures it after all") {
+  Opened opened;
+  opened.session.change(parse_options("ivdd:distance=1.3e"));
+  poll_while(opened.session, [&] { return !opened.session.measuring(); });
+  opened.session.change(parse_options("vt"));  // ends the measurement
+  opened.session.change(parse_options("ivdd"));
+  CHECK_THAT(opened.session.problem(), Contains("needs distance"));
+  settle(opened.session);
+  REQUIRE(opened.session.comparison());
+  CHECK(opened.session.comparison()->outcome.get() == opened.session.outcome());
+}
+
+TEST_CASE("a large model and a large result get stand-ins, small ones need none") {
+  const programs::Folder folder;
+  files::write_mesh(folder / "large.ply", meshes::torus(300, 150));  // 90,000 triangles
+  files::write_mesh(folder / "small.ply", meshes::torus(40, 24));
+  Session session;
+  session.change(parse_options("ivdd:distance=0"));
+  session.open(folder / "large.ply");
+  settle(session);
+  REQUIRE(session.model_stand_in());
+  REQUIRE(session.outcome_stand_in());
+  CHECK(session.model_stand_in()->triangles.size() <= kStandInTriangles);
+  session.change(parse_options("mq --faces 1000"));
+  settle(session);
+  CHECK(session.model_stand_in());
+  CHECK_FALSE(session.outcome_stand_in());
+  session.open(folder / "small.ply");
+  settle(session);
+  CHECK_FALSE(session.model_stand_in());
 }
 
 TEST_CASE("commands change session and view") {

@@ -2,20 +2,22 @@
 /// What the viewer shows.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "Display.hh"
 #include "meshes.hh"
+#include "pictures.hh"
 #include "render/heat_colour.hh"
 
 using namespace whittle;
 using render::Image;
+using viewing::colours;
+using viewing::difference;
+using viewing::kBelowCaptions;
 using viewing::read_png;
 
 namespace {
 
 constexpr int kWidth = 480, kHeight = 360;
-constexpr int kBelowCaptions = 70;
 
 /// A display with a torus, and pictures of it by script.
 class Studio {
@@ -46,13 +48,6 @@ class Studio {
   std::string model_;
 };
 
-std::size_t colours(const Image& image) {
-  std::set<std::array<std::uint8_t, 4>> seen;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) seen.insert(image.at(x, y));
-  return seen.size();
-}
-
 double brightness(const Image& image, int x) {
   double sum = 0;
   for (int y = kBelowCaptions; y < image.height; ++y) {
@@ -60,17 +55,6 @@ double brightness(const Image& image, int x) {
     sum += (p[0] + p[1] + p[2]) / 3.0;
   }
   return sum / (image.height - kBelowCaptions);
-}
-
-/// Part of the pixels in columns [from, to) below the captions where two pictures differ clearly.
-double difference(const Image& a, const Image& b, int from, int to) {
-  std::size_t differ = 0, all = 0;
-  for (int y = kBelowCaptions; y < a.height; ++y)
-    for (int x = from; x < to; ++x, ++all) {
-      const auto p = a.at(x, y), q = b.at(x, y);
-      differ += std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) + std::abs(p[2] - q[2]) > 12;
-    }
-  return static_cast<double>(differ) / static_cast<double>(all);
 }
 
 /// Whether a pixel is one of the heat colours, more or less in the shade.

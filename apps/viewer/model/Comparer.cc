@@ -5,51 +5,68 @@
 #include <thread>
 #include <utility>
 
+#include "measure/Distance.hh"
+#include "measure/Monitor.hh"
 #include "whittle/errors.hh"
 #include "whittle/parallel.hh"
 
 namespace whittle::viewer {
 namespace {
 
-std::vector<float> distances(const std::vector<IndexedMesh::Point>& points, const measure::ClosestFace& to) {
+// How the work of a comparison is divided, in parts of all of it.
+constexpr double kInspection = 0.25, kHeat = 0.3;
+
+std::vector<float> distances(const std::vector<IndexedMesh::Point>& points, const measure::ClosestFace& to,
+                             measure::Watch& watch, double work) {
+  constexpr std::size_t kBlock = 2048;
   std::vector<float> out(points.size());
   for_each_part(points.size(), std::thread::hardware_concurrency(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      out[i] = static_cast<float>(std::sqrt(to.closest(points[i]).squared_distance));
+    for (std::size_t next; begin < end; begin = next) {
+      next = std::min(begin + kBlock, end);
+      for (std::size_t i = begin; i < next; ++i)
+        out[i] = static_cast<float>(std::sqrt(to.closest(points[i]).squared_distance));
+      if (!watch.done(work * static_cast<double>(next - begin) / static_cast<double>(points.size()))) return;
+    }
   });
+  watch.check();
   return out;
 }
 
 }  // namespace
 
-bool Comparer::add_heat(const Outcome& outcome, const std::function<bool()>& wanted, Comparison& comparison) {
+void Comparer::add_heat(const Outcome& outcome, measure::Watch& watch, Comparison& comparison) {
+  const auto go_on = [&watch] { return watch.done(0); };
   if (model_ != outcome.model) {
-    tree_ = std::make_unique<Tree>(outcome.model->mesh());
+    model_.reset();
+    tree_ = std::make_unique<Tree>(outcome.model->mesh(), go_on);
     model_ = outcome.model;
   }
-  if (!wanted()) return false;
-  const Tree result(outcome.mesh());
-  if (!wanted()) return false;
-  comparison.original_heat = distances(outcome.model->mesh().points, result.faces);
-  if (!wanted()) return false;
-  comparison.result_heat = distances(outcome.mesh().points, tree_->faces);
+  const Tree result(outcome.mesh(), go_on);
+  comparison.original_heat = distances(outcome.model->mesh().points, result.faces, watch, kHeat / 2);
+  comparison.result_heat = distances(outcome.mesh().points, tree_->faces, watch, kHeat / 2);
   const auto& map = outcome.result.vertex_map;
   for (std::size_t v = 0; v < map.size(); ++v)
     comparison.result_heat[map[v]] = std::max(comparison.result_heat[map[v]], comparison.original_heat[v]);
   comparison.heat_top = quantile(comparison.result_heat, 0.995);
-  return true;
 }
 
 std::shared_ptr<const Comparison> Comparer::compare(std::shared_ptr<const Outcome> outcome,
-                                                    const std::function<bool()>& wanted) {
+                                                    const measure::Monitor& monitor) {
   auto comparison = std::make_shared<Comparison>();
   comparison->outcome = outcome;
-  if (!wanted()) return nullptr;
+  measure::Watch watch(monitor, 1);
+  if (!watch.done(0)) return nullptr;
   comparison->inspection = inspect(outcome->mesh());
-  if (!wanted()) return nullptr;
+  comparison->histograms = histograms(outcome->model->inspection, &comparison->inspection);
+  if (!watch.done(kInspection)) return nullptr;
   try {
-    if (!add_heat(*outcome, wanted, *comparison) || !wanted()) return nullptr;
-    comparison->distance = measure::distance(outcome->model->mesh(), outcome->mesh());
+    add_heat(*outcome, watch, *comparison);
+    double before = 0;
+    comparison->distance = measure::distance(outcome->model->mesh(), outcome->mesh(), {}, [&](double part) {
+      return watch.done((1 - kInspection - kHeat) * (part - std::exchange(before, part)));
+    });
+  } catch (const measure::Cancelled&) {
+    return nullptr;
   } catch (const InvalidMesh&) {  // no face of positive area: there is nothing to measure
     comparison->original_heat.assign(outcome->model->mesh().points.size(), 0);
     comparison->result_heat.assign(outcome->mesh().points.size(), 0);

@@ -7,6 +7,7 @@
 
 #include "measure/ClosestFace.hh"
 #include "measure/Surface.hh"
+#include "measure/Watch.hh"
 #include "model/Model.hh"
 
 namespace whittle::viewer {
@@ -15,18 +16,18 @@ namespace whittle::viewer {
 /// thread at a time.
 class Comparer {
  public:
-  /// \param wanted  asked between the steps; false gives up.
-  /// \return null if it gave up.
+  /// \return null if the monitor gave up.
   std::shared_ptr<const Comparison> compare(std::shared_ptr<const Outcome> outcome,
-                                            const std::function<bool()>& wanted);
+                                            const measure::Monitor& monitor = {});
 
  private:
   struct Tree {
-    explicit Tree(const IndexedMesh& mesh) : surface(mesh), faces(surface, 0) {}
+    Tree(const IndexedMesh& mesh, const std::function<bool()>& go_on)
+        : surface(mesh), faces(surface, 0, go_on) {}
     measure::Surface surface;
     measure::ClosestFace faces;
   };
-  bool add_heat(const Outcome& outcome, const std::function<bool()>& wanted, Comparison& comparison);
+  void add_heat(const Outcome& outcome, measure::Watch& watch, Comparison& comparison);
 
   std::shared_ptr<const Model> model_;
   std::unique_ptr<Tree> tree_;

@@ -78,18 +78,36 @@ const char* name(EdgeSet set) {
   }
 }
 
-std::vector<std::array<std::uint32_t, 2>> select(const std::vector<Edge>& edges, EdgeSet set,
-                                                 double feature_angle) {
-  std::vector<std::array<std::uint32_t, 2>> chosen;
+EdgeSets::EdgeSets(const std::vector<Edge>& edges) {
+  const auto ends = [&](EdgeSet set) -> auto& {
+    return ends_[static_cast<std::size_t>(set)];
+  };
+  std::vector<const Edge*> plain;
   for (const Edge& edge : edges) {
-    const bool plain = edge.kind == EdgeKind::plain;
-    const bool belongs = set == EdgeSet::boundary      ? edge.kind == EdgeKind::boundary
-                         : set == EdgeSet::nonmanifold ? edge.kind == EdgeKind::nonmanifold
-                         : set == EdgeSet::feature     ? plain && double(edge.angle) >= feature_angle
-                                                       : plain && edge.held;
-    if (belongs) chosen.push_back(edge.ends);
+    if (edge.kind == EdgeKind::boundary) {
+      ends(EdgeSet::boundary).push_back(edge.ends);
+    } else if (edge.kind == EdgeKind::nonmanifold) {
+      ends(EdgeSet::nonmanifold).push_back(edge.ends);
+    } else {
+      plain.push_back(&edge);
+      if (edge.held) ends(EdgeSet::locked).push_back(edge.ends);
+    }
   }
-  return chosen;
+  std::sort(plain.begin(), plain.end(),
+            [](const Edge* a, const Edge* b) { return a->angle != b->angle ? a->angle > b->angle : a < b; });
+  ends(EdgeSet::feature).reserve(plain.size());
+  angles_.reserve(plain.size());
+  for (const Edge* edge : plain) {
+    ends(EdgeSet::feature).push_back(edge->ends);
+    angles_.push_back(edge->angle);
+  }
+}
+
+std::size_t EdgeSets::count(EdgeSet set, double feature_angle) const {
+  if (set != EdgeSet::feature) return of(set).size();
+  const auto blunt = std::partition_point(angles_.begin(), angles_.end(),
+                                          [&](float angle) { return double(angle) >= feature_angle; });
+  return static_cast<std::size_t>(blunt - angles_.begin());
 }
 
 }  // namespace whittle::viewer

@@ -37,8 +37,24 @@ enum class EdgeSet {
 constexpr EdgeSet kEdgeSets[] = {EdgeSet::locked, EdgeSet::feature, EdgeSet::boundary, EdgeSet::nonmanifold};
 const char* name(EdgeSet set);
 
-/// The ends of the edges of a set.
-std::vector<std::array<std::uint32_t, 2>> select(const std::vector<Edge>& edges, EdgeSet set,
-                                                 double feature_angle);
+/// The edges of all sets, ready to be drawn.
+class EdgeSets {
+ public:
+  using Ends = std::array<std::uint32_t, 2>;
+
+  EdgeSets() = default;
+  explicit EdgeSets(const std::vector<Edge>& edges);
+
+  /// The ends of all edges of a set. Of the features that is every plain edge, the sharpest first: so another
+  /// angle is another count, and nothing has to be chosen or moved.
+  const std::vector<Ends>& of(EdgeSet set) const { return ends_[static_cast<std::size_t>(set)]; }
+
+  /// How many of them belong to the set, from the first on. \param feature_angle  degrees
+  std::size_t count(EdgeSet set, double feature_angle) const;
+
+ private:
+  std::array<std::vector<Ends>, 4> ends_;  ///< by EdgeSet
+  std::vector<float> angles_;              ///< of the features
+};
 
 }  // namespace whittle::viewer

@@ -6,6 +6,11 @@
 #include "measure/triangle.hh"
 
 namespace whittle::viewer {
+namespace {
+
+constexpr std::size_t kBins = 48;
+
+}  // namespace
 
 Histogram histogram(const std::vector<float>& values, double low, double high, std::size_t n_bins) {
   Histogram out{low, high, std::vector<std::size_t>(n_bins, 0), 0, 0};
@@ -52,6 +57,17 @@ std::vector<float> values_of(Quantity quantity, const IndexedMesh& mesh, const s
       values.push_back(edge.angle);
   }
   return values;
+}
+
+HistogramPair histograms(Quantity quantity, const std::vector<float>& original,
+                         const std::vector<float>* result) {
+  double high = quantity == Quantity::quality      ? 1
+                : quantity == Quantity::face_angle ? 90
+                                                   : quantile(original, 0.999);
+  if (quantity == Quantity::edge_length && result) high = std::max(high, quantile(*result, 0.99));
+  if (!(high > 0)) high = 1;
+  return {histogram(original, 0, high, kBins),
+          histogram(result ? *result : std::vector<float>{}, 0, high, kBins)};
 }
 
 const char* name(Quantity quantity) {

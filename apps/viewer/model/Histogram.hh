@@ -31,6 +31,15 @@ std::vector<float> values_of(Quantity quantity, const IndexedMesh& mesh, const s
 /// 4√3·area / (a² + b² + c²): 1 equilateral, 0 degenerate. One for each triangle.
 std::vector<float> qualities(const IndexedMesh& mesh);
 
+/// The histograms of a quantity in the original and in the result, over one axis from 0.
+struct HistogramPair {
+  Histogram original, result;  ///< without a result all its bins are empty
+};
+
+/// \param result  null if there is none.
+HistogramPair histograms(Quantity quantity, const std::vector<float>& original,
+                         const std::vector<float>* result);
+
 const char* name(Quantity quantity);
 constexpr Quantity kQuantities[] = {Quantity::edge_length, Quantity::face_angle, Quantity::quality};
 

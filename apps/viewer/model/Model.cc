@@ -7,10 +7,19 @@ namespace whittle::viewer {
 Inspection inspect(const IndexedMesh& mesh) {
   Inspection out;
   out.facts = measure::facts(mesh);
-  out.edges = edge_table(mesh);
+  const std::vector<Edge> edges = edge_table(mesh);
+  out.edges = EdgeSets(edges);
   for (const Quantity quantity : kQuantities)
-    out.values[static_cast<std::size_t>(quantity)] = values_of(quantity, mesh, out.edges);
+    out.values[static_cast<std::size_t>(quantity)] = values_of(quantity, mesh, edges);
   return out;
+}
+
+std::array<HistogramPair, 3> histograms(const Inspection& original, const Inspection* result) {
+  std::array<HistogramPair, 3> all;
+  for (const Quantity quantity : kQuantities)
+    all[static_cast<std::size_t>(quantity)] =
+        histograms(quantity, original.of(quantity), result ? &result->of(quantity) : nullptr);
+  return all;
 }
 
 std::shared_ptr<const Model> load_model(const std::string& path) {
@@ -20,6 +29,8 @@ std::shared_ptr<const Model> load_model(const std::string& path) {
   if (model->mesh().triangles.empty()) throw files::FileError(path + ": the mesh has no faces to show");
   model->scale = recipe::measure_scale(model->mesh());
   model->inspection = inspect(model->mesh());
+  model->histograms = histograms(model->inspection, nullptr);
+  model->arrays.emplace(model->mesh());
   return model;
 }
 
@@ -36,6 +47,7 @@ std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, 
     for (auto& point : outcome->result.mesh.points) point = point.cast<float>().cast<double>();
   for (const recipe::StageResult& stage : outcome->result.stages)
     outcome->milliseconds += 1e3 * (stage.plan_seconds + stage.execute_seconds);
+  outcome->arrays.emplace(outcome->mesh());
   outcome->recipe = recipe;
   outcome->model = std::move(model);
   return outcome;

@@ -17,18 +17,22 @@
 #include "model/Histogram.hh"
 #include "model/PlanPicture.hh"
 #include "recipe/Recipe.hh"
+#include "render/MeshBuffers.hh"
 
 namespace whittle::viewer {
 
 /// What can be said of one mesh by itself.
 struct Inspection {
   measure::MeshFacts facts;
-  std::vector<Edge> edges;
+  EdgeSets edges;
   std::array<std::vector<float>, 3> values;  ///< by Quantity
 
   const std::vector<float>& of(Quantity quantity) const { return values[static_cast<std::size_t>(quantity)]; }
 };
 Inspection inspect(const IndexedMesh& mesh);
+
+/// The histograms of each quantity. \param result  null if there is none.
+std::array<HistogramPair, 3> histograms(const Inspection& original, const Inspection* result);
 
 /// A mesh file that is open.
 struct Model {
@@ -36,6 +40,8 @@ struct Model {
   files::MeshFile file;
   recipe::Scale scale;
   Inspection inspection;
+  std::array<HistogramPair, 3> histograms;  ///< by Quantity, without a result
+  std::optional<render::MeshArrays> arrays;
 
   const IndexedMesh& mesh() const { return file.mesh; }
   Eigen::AlignedBox3d box() const { return {inspection.facts.box_min, inspection.facts.box_max}; }
@@ -50,6 +56,7 @@ struct Outcome {
   recipe::Recipe recipe;
   recipe::Result result;
   double milliseconds = 0;  ///< planning and execution, as the command line counts them
+  std::optional<render::MeshArrays> arrays;
 
   const IndexedMesh& mesh() const { return result.mesh; }
   double faces_removed() const;  ///< of all, 0..1
@@ -64,6 +71,7 @@ std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, 
 struct Comparison {
   std::shared_ptr<const Outcome> outcome;
   Inspection inspection;                      ///< of the result
+  std::array<HistogramPair, 3> histograms;    ///< of both, by Quantity
   std::optional<measure::Distance> distance;  ///< none where one of the meshes has no area
   /// For each vertex of the original its distance to the result. For each vertex of the result the largest of
   /// its own distance to the original and those of the vertices that became it, so that a surface whose

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "render/MeshBuffers.hh"
+
 namespace whittle::viewer {
 
 PlanPicture picture(const IndexedMesh& mesh, const CollapsePlan& plan) {
@@ -28,6 +30,18 @@ PlanPicture picture(const IndexedMesh& mesh, const CollapsePlan& plan) {
   }
   for (std::uint32_t v = 0; v < survivor.size(); ++v)
     if (is_target[v]) out.targets.push_back(place[v]);
+
+  if (!mesh.points.empty()) out.origin = render::bounding_box(mesh).center();
+  const auto seen = [&](const Eigen::Vector3d& point) -> Eigen::Vector3f {
+    return (point - out.origin).cast<float>();
+  };
+  out.line_ends.reserve(2 * out.merges.size());
+  for (const Merge& merge : out.merges) {
+    out.line_ends.push_back(seen(merge.from));
+    out.line_ends.push_back(seen(merge.to));
+  }
+  out.dots.reserve(out.targets.size());
+  for (const Eigen::Vector3d& target : out.targets) out.dots.push_back(seen(target));
   return out;
 }
 

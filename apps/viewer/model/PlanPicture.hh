@@ -24,6 +24,11 @@ struct PlanPicture {
   std::vector<Eigen::Vector3d> targets;  ///< where two or more become one, each once
   std::size_t vertices_gone = 0, faces_gone = 0;
   PlanRecord record;
+
+  /// The same for the graphics memory: the ends of the merges two by two, and the targets, seen from
+  /// `origin`.
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3f> line_ends, dots;
 };
 
 PlanPicture picture(const IndexedMesh& mesh, const CollapsePlan& plan);

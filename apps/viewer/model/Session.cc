@@ -8,6 +8,7 @@
 
 #include "model/RecipeEdit.hh"
 #include "model/RecipeText.hh"
+#include "model/progress.hh"
 
 namespace whittle::viewer {
 namespace {
@@ -17,6 +18,13 @@ constexpr std::chrono::milliseconds kRest(120);
 
 std::string reason(const std::exception& error) {
   return dynamic_cast<const std::bad_alloc*>(&error) ? "not enough memory" : error.what();
+}
+
+void write_result(const std::string& path, const Outcome& outcome, bool ascii) {
+  files::WriteOptions options;
+  options.ascii = ascii;
+  options.single_precision = outcome.model->file.single_precision;
+  files::write_mesh(path, outcome.mesh(), options);
 }
 
 bool rests(const Wanted& wanted) {
@@ -79,7 +87,11 @@ void Session::recipe_has_changed() {
 void Session::run() {
   decimator_.cancel();
   decided_.take();
-  if (!model_ || !problem_.empty()) return;
+  if (!model_) return;
+  if (!problem_.empty()) return ensure_measured();
+  measurer_.cancel();  // of what will be gone in a moment
+  measured_.take();
+  measured_outcome_ = nullptr;
   {
     const std::lock_guard lock(progress_mutex_);
     progress_ = {0, recipe().modules.size(), model_->mesh().triangles.size()};
@@ -142,9 +154,59 @@ void Session::take_model(Loaded loaded) {
   outcome_.reset();
   comparison_.reset();
   plan_.reset();
+  model_stand_in_.reset();
+  outcome_stand_in_.reset();
+  outcome_coarsener_.cancel();
   measurer_.cancel();
   measured_.take();
+  model_coarsener_.submit([this, model = model_](const Wanted& wanted) {
+    auto stand_in = make_stand_in(model->mesh());
+    if (!stand_in || !wanted()) return;
+    model_coarse_.put({model.get(), std::move(stand_in)});
+    wake();
+  });
   recipe_has_changed();
+}
+
+void Session::take_outcome(std::shared_ptr<const Outcome> outcome) {
+  outcome_ = std::move(outcome);
+  outcome_stand_in_.reset();
+  outcome_coarsener_.submit([this, made = outcome_](const Wanted& wanted) {
+    if (!rests(wanted)) return;
+    auto stand_in = make_stand_in(made->mesh());
+    if (!stand_in || !wanted()) return;
+    outcome_coarse_.put({made.get(), std::move(stand_in)});
+    wake();
+  });
+  ensure_measured();
+}
+
+void Session::take_stand_ins(News& news) {
+  const auto take = [&](Mailbox<Coarse>& mailbox, const void* owner, std::shared_ptr<const StandIn>& place) {
+    auto coarse = mailbox.take();
+    if (!coarse || coarse->owner != owner) return;
+    place = std::move(coarse->stand_in);
+    news.stand_ins = true;
+  };
+  take(model_coarse_, model_.get(), model_stand_in_);
+  take(outcome_coarse_, outcome_.get(), outcome_stand_in_);
+}
+
+void Session::ensure_measured() {
+  if (!outcome_ || comparison() || measured_outcome_ == outcome_.get()) return;
+  measured_outcome_ = outcome_.get();
+  measured_.take();
+  measured_part_ = 0;
+  measurer_.submit([this, outcome = outcome_](const Wanted& wanted) {
+    if (!rests(wanted)) return;
+    auto comparison = comparer_.compare(outcome, [&](double part) {
+      measured_part_ = part;
+      return wanted();
+    });
+    if (!comparison || !wanted()) return;
+    measured_.put(std::move(comparison));
+    wake();
+  });
 }
 
 News Session::poll() {
@@ -155,18 +217,11 @@ News Session::poll() {
   }
   if (auto decided = decided_.take()) {
     if (decided->outcome && decided->outcome->model == model_) {
-      outcome_ = std::move(decided->outcome);
+      take_outcome(std::move(decided->outcome));
       news.outcome = true;
-      measured_.take();
-      measurer_.submit([this, outcome = outcome_](const Wanted& wanted) {
-        if (!rests(wanted)) return;
-        auto comparison = comparer_.compare(outcome, [&] { return wanted(); });
-        if (!comparison || !wanted()) return;
-        measured_.put(std::move(comparison));
-        wake();
-      });
     } else if (!decided->outcome) {
       problem_ = decided->error;
+      ensure_measured();
     }
   }
   if (auto measured = measured_.take()) {
@@ -176,6 +231,13 @@ News Session::poll() {
   if (auto planned = planned_.take()) {
     plan_ = std::move(*planned);
     news.plan = true;
+  }
+  take_stand_ins(news);
+  if (auto written = written_.take()) {
+    if (written->error.empty())
+      news.written = written->path;
+    else
+      errors.push_back(written->error);
   }
   return news;
 }
@@ -193,12 +255,31 @@ recipe::Progress Session::progress() const {
   return progress_;
 }
 
+std::optional<double> Session::part_done() const {
+  if (loading() || !model_) return std::nullopt;
+  if (decimating()) return viewer::part_done(recipe(), progress(), model_->mesh().triangles.size());
+  if (planning() || writing() || !measuring()) return std::nullopt;
+  return measured_part_.load();
+}
+
+void Session::begin_export(const std::string& path, bool ascii) {
+  if (!outcome_) throw files::FileError(path + ": there is no result to write yet");
+  if (writing()) throw files::FileError(path + ": another file is being written");
+  writer_.submit([this, path, outcome = outcome_, ascii](const Wanted&) {
+    Written written{path, {}};
+    try {
+      write_result(path, *outcome, ascii);
+    } catch (const std::exception& error) {
+      written.error = reason(error);
+    }
+    written_.put(std::move(written));
+    wake();
+  });
+}
+
 void Session::export_result(const std::string& path, bool ascii) const {
   if (!outcome_) throw files::FileError(path + ": there is no result to write yet");
-  files::WriteOptions options;
-  options.ascii = ascii;
-  options.single_precision = model_->file.single_precision;
-  files::write_mesh(path, outcome_->mesh(), options);
+  write_result(path, *outcome_, ascii);
 }
 
 }  // namespace whittle::viewer

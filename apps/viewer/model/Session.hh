@@ -2,6 +2,7 @@
 /// All that the viewer works on, without a window: the model, the recipe and its history, and the workers.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "model/Comparer.hh"
 #include "model/History.hh"
 #include "model/Model.hh"
+#include "model/StandIn.hh"
 #include "model/Worker.hh"
 
 namespace whittle::viewer {
@@ -20,7 +22,9 @@ namespace whittle::viewer {
 /// What poll() found.
 struct News {
   bool model = false, outcome = false, comparison = false, plan = false;
-  bool any() const { return model || outcome || comparison || plan; }
+  bool stand_ins = false;  ///< one of them, or both
+  std::string written;     ///< the path of a result that has been exported; empty: none
+  bool any() const { return model || outcome || comparison || plan || stand_ins || !written.empty(); }
 };
 
 /// Every call returns at once; the work is done by threads, and poll() takes what they have finished.
@@ -54,18 +58,40 @@ class Session {
   const Model* model() const { return model_.get(); }
   const Outcome* outcome() const { return outcome_.get(); }
   const Comparison* comparison() const;  ///< of the outcome; null until it is measured
+  /// The histograms of a quantity; while a newer result is not measured yet, those with the one before it.
+  const HistogramPair& histograms(Quantity quantity) const {
+    return (comparison_ ? comparison_->histograms : model_->histograms)[static_cast<std::size_t>(quantity)];
+  }
   const PlanPicture* plan() const { return plan_.get(); }
+  /// What is drawn while the view moves, of a mesh that is too large to be drawn itself; null of others.
+  /// \{
+  const StandIn* model_stand_in() const { return model_stand_in_.get(); }
+  const StandIn* outcome_stand_in() const { return outcome_stand_in_.get(); }
+  /// \}
   bool outcome_is_current() const;  ///< it is that of the recipe as it stands
 
   bool loading() const { return !loader_.idle() || !loaded_.empty(); }
   bool decimating() const { return !decimator_.idle() || !decided_.empty(); }
   bool measuring() const { return !measurer_.idle() || !measured_.empty(); }
   bool planning() const { return !planner_.idle() || !planned_.empty(); }
-  bool settled() const { return !loading() && !decimating() && !measuring() && !planning(); }
+  bool coarsening() const {  ///< stand-ins are being made
+    return !model_coarsener_.idle() || !outcome_coarsener_.idle() || !model_coarse_.empty() ||
+           !outcome_coarse_.empty();
+  }
+  bool writing() const { return !writer_.idle() || !written_.empty(); }
+  bool settled() const {
+    return !loading() && !decimating() && !measuring() && !planning() && !coarsening() && !writing();
+  }
   recipe::Progress progress() const;  ///< of the decimation that runs
+  /// The part that is done of what is under way, that is of loading, decimating, planning, writing,
+  /// measuring, the first of these; none where it is not known.
+  std::optional<double> part_done() const;
 
-  /// Writes the result. \throw FileError
+  /// Writes the result, at once or by a worker: what went wrong there goes to errors. \throw FileError
+  /// \{
   void export_result(const std::string& path, bool ascii) const;
+  void begin_export(const std::string& path, bool ascii);
+  /// \}
 
   std::deque<std::string> errors;  ///< for the user to see, the oldest first
 
@@ -78,10 +104,21 @@ class Session {
     std::shared_ptr<const Outcome> outcome;
     std::string error;
   };
+  /// A stand-in, and whose: what comes too late is no longer anybody's.
+  struct Coarse {
+    const void* owner = nullptr;
+    std::shared_ptr<const StandIn> stand_in;
+  };
+  struct Written {
+    std::string path, error;
+  };
 
   void recipe_has_changed();
   void start_plan();
   void take_model(Loaded loaded);
+  void take_outcome(std::shared_ptr<const Outcome> outcome);
+  void take_stand_ins(News& news);
+  void ensure_measured();  ///< the outcome is measured, or is being measured
   void wake() const {
     if (wake_) wake_();
   }
@@ -94,17 +131,22 @@ class Session {
   std::shared_ptr<const Model> model_;
   std::shared_ptr<const Outcome> outcome_;
   std::shared_ptr<const Comparison> comparison_;
+  const Outcome* measured_outcome_ = nullptr;  ///< handed to the measurer, and not cancelled since
   std::shared_ptr<const PlanPicture> plan_;
+  std::shared_ptr<const StandIn> model_stand_in_, outcome_stand_in_;
 
   mutable std::mutex progress_mutex_;
   recipe::Progress progress_;
+  std::atomic<double> measured_part_{0};
   Comparer comparer_;
   Mailbox<Loaded> loaded_;
   Mailbox<Decided> decided_;
   Mailbox<std::shared_ptr<const PlanPicture>> planned_;
   Mailbox<std::shared_ptr<const Comparison>> measured_;
+  Mailbox<Coarse> model_coarse_, outcome_coarse_;
+  Mailbox<Written> written_;
   // The threads end before what they use.
-  Worker loader_, decimator_, planner_, measurer_;
+  Worker loader_, decimator_, planner_, measurer_, model_coarsener_, outcome_coarsener_, writer_;
 };
 
 }  // namespace whittle::viewer

@@ -19,7 +19,7 @@ struct Settings {
   int width = 1440, height = 900;   ///< of the window
   double text_scale = 1;            ///< of the user's own, besides the screen's
   MouseStyle mouse = MouseStyle::meshlab;
-  bool smooth_edges = true;  ///< several samples a pixel; needs a restart
+  bool smooth_edges = true;  ///< several samples a pixel
   std::string recipe;        ///< the last, as options
   View view;                 ///< without the camera and the split line
 

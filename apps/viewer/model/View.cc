@@ -15,6 +15,12 @@ std::optional<Choice> named(const Choice (&choices)[n], const std::string& wante
 
 }  // namespace
 
+bool View::operator==(const View& other) const {
+  return layout == other.layout && shading == other.shading && heat == other.heat &&
+         heat_top == other.heat_top && edges == other.edges && feature_angle == other.feature_angle &&
+         plan == other.plan && split == other.split && orbit == other.orbit;
+}
+
 const char* word(Layout layout) {
   constexpr const char* kWords[] = {"side-by-side", "split", "original", "result"};
   return kWords[static_cast<std::size_t>(layout)];

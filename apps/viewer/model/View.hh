@@ -28,6 +28,8 @@ struct View {
 
   bool& shows(EdgeSet set) { return edges[static_cast<std::size_t>(set)]; }
   bool shows(EdgeSet set) const { return edges[static_cast<std::size_t>(set)]; }
+
+  bool operator==(const View& other) const;
 };
 
 /// The words of scripts and settings.

@@ -1,6 +1,23 @@
 #include "model/Worker.hh"
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 namespace whittle::viewer {
+namespace {
+
+/// Lets the window's thread go first where there are fewer cores than work. The threads that this one starts
+/// do so, too.
+void give_way() {
+#ifdef __linux__
+  constexpr int kNice = 5;
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
+#endif
+}
+
+}  // namespace
 
 Worker::Worker() : thread_([this] { work(); }) {}
 
@@ -35,6 +52,7 @@ bool Worker::idle() const {
 }
 
 void Worker::work() {
+  give_way();
   std::unique_lock lock(mutex_);
   while (true) {
     news_.wait(lock, [this] { return ending_ || waiting_; });

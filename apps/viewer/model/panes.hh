@@ -12,6 +12,9 @@ namespace whittle::viewer {
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;
 
+  bool operator==(const Rect& other) const {
+    return x == other.x && y == other.y && width == other.width && height == other.height;
+  }
   double aspect() const { return height > 0 && width > 0 ? double(width) / height : 1; }
   bool contains(double px, double py) const {
     return px >= x && py >= y && px < x + width && py < y + height;

@@ -17,6 +17,12 @@ void Ui::say(const std::string& text) {
   note_until = ImGui::GetTime() + 4;
 }
 
+void Ui::note_place(const std::string& name) {
+  const ImVec2 low = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+  places[name] = {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(size.x),
+                  static_cast<int>(size.y)};
+}
+
 std::string Ui::stem() const {
   if (!session.model()) return "model";
   return std::filesystem::path(session.model()->path).stem().string();

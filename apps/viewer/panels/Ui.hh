@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,9 @@ struct PictureRequest {
 };
 
 struct Ui {
+  Ui(Session& a_session, View& a_view, Settings& some_settings)
+      : session(a_session), view(a_view), settings(some_settings) {}
+
   Session& session;
   View& view;
   Settings& settings;
@@ -39,16 +43,17 @@ struct Ui {
   std::string note;  ///< a short word on what was done, for some seconds
   double note_until = 0;
   std::optional<double> original_frame_ms, result_frame_ms;
-  double heat_top = 0;  ///< of the scale as it is drawn
+  double heat_top = 0;                 ///< of the scale as it is drawn
+  std::map<std::string, Rect> places;  ///< where sliders, histograms and the progress are, for scripts
 
   // Requests, done and cleared after the frame.
   bool frame_wanted = false;  ///< see the whole model
   std::optional<PictureRequest> picture;
   std::string clipboard;
-  bool text_scale_changed = false;
 
   void open_dialog(Dialog which, std::string first_path = {});
   void say(const std::string& text);
+  void note_place(const std::string& name);  ///< of the last item
   /// The name of the open file without folder and extension; "model" if none is open.
   std::string stem() const;
 };

@@ -62,10 +62,8 @@ void export_dialog(Ui& ui) {
     ImGui::SameLine();
   }
   ImGui::Checkbox("as text (PLY, STL)", &ui.ascii);
-  if (decide(ui, "Export", enter) && try_to(ui, [&] { ui.session.export_result(ui.path, ui.ascii); })) {
-    ui.say("Written: " + ui.path);
+  if (decide(ui, "Export", enter) && try_to(ui, [&] { ui.session.begin_export(ui.path, ui.ascii); }))
     ui.dialog = Dialog::none;
-  }
 }
 
 void picture_dialog(Ui& ui) {
@@ -107,7 +105,8 @@ const char* title(Dialog dialog) {
 
 void place_in_the_middle(float width) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y * 0.45f}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y * 0.48f}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {0.96f * screen.x, 0.94f * screen.y});
   ImGui::SetNextWindowSize({width, 0});
 }
 

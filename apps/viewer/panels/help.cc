@@ -55,14 +55,11 @@ void settings(Ui& ui) {
   ImGui::SameLine(ImGui::GetFontSize() * 8);
   for (const double size : {0.85, 1.0, 1.25, 1.5, 2.0}) {
     const std::string label = std::to_string(static_cast<int>(100 * size + 0.5)) + " %";
-    if (toggle(label.c_str(), ui.settings.text_scale == size)) {
-      ui.settings.text_scale = size;
-      ui.text_scale_changed = true;
-    }
+    if (toggle(label.c_str(), ui.settings.text_scale == size)) ui.settings.text_scale = size;
     ImGui::SameLine();
   }
   ImGui::NewLine();
-  ImGui::Checkbox("Smooth edges (from the next start on)", &ui.settings.smooth_edges);
+  ImGui::Checkbox("Smooth edges", &ui.settings.smooth_edges);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "model/Histogram.hh"
@@ -15,34 +14,11 @@
 namespace whittle::viewer {
 namespace {
 
-constexpr std::size_t kBins = 48;
-
-/// The two histograms of a quantity over one axis, kept until a mesh changes.
-struct Pair {
-  const Model* model = nullptr;
-  const Comparison* comparison = nullptr;
-  Histogram original, result;
-};
-
-const Pair& pair_of(const Ui& ui, Quantity quantity) {
-  static std::map<Quantity, Pair> kept;  // drawing state, as ImGui's own
-  Pair& pair = kept[quantity];
-  const Model* model = ui.session.model();
-  const Comparison* comparison = ui.session.comparison();
-  if (pair.model == model && pair.comparison == comparison && !pair.original.bins.empty()) return pair;
-  const auto& before = model->inspection.of(quantity);
-  double high = quantity == Quantity::quality      ? 1
-                : quantity == Quantity::face_angle ? 90
-                                                   : quantile(before, 0.999);
-  if (quantity == Quantity::edge_length && comparison)
-    high = std::max(high, quantile(comparison->inspection.of(quantity), 0.99));
-  if (!(high > 0)) high = 1;
-  pair.model = model;
-  pair.comparison = comparison;
-  pair.original = histogram(before, 0, high, kBins);
-  pair.result = comparison ? histogram(comparison->inspection.of(quantity), 0, high, kBins)
-                           : Histogram{0, high, std::vector<std::size_t>(kBins, 0), 0, 0};
-  return pair;
+/// As scripts name it.
+const char* place_of(Quantity quantity) {
+  return quantity == Quantity::edge_length  ? "edge-length"
+         : quantity == Quantity::face_angle ? "face-angle"
+                                            : "quality";
 }
 
 /// Parts of all values, so that meshes of different sizes compare; the root lifts the small bins.
@@ -71,13 +47,14 @@ void pick(Ui& ui, const recipe::Spec& spec, Quantity quantity, const std::string
   ui.session.change(with_value(ui.session.recipe(), ui.selected, key, text), "pick." + key);
 }
 
-void bars(ImDrawList* list, const Pair& pair, ImVec2 corner, ImVec2 size) {
+void bars(ImDrawList* list, const HistogramPair& pair, ImVec2 corner, ImVec2 size) {
   const ImU32 before =
       ImGui::GetColorU32({colour::original.x, colour::original.y, colour::original.z, 0.32f});
   const ImU32 after = ImGui::GetColorU32(colour::accent);
-  const float step = size.x / static_cast<float>(kBins);
+  const std::size_t n_bins = pair.original.bins.size();
+  const float step = size.x / static_cast<float>(n_bins);
   const double first = tallest_of(pair.original), second = tallest_of(pair.result);
-  for (std::size_t i = 0; i < kBins; ++i) {
+  for (std::size_t i = 0; i < n_bins; ++i) {
     const float left = corner.x + step * static_cast<float>(i), bottom = corner.y + size.y;
     const float h = size.y * bar(pair.original, i, first), r = size.y * bar(pair.result, i, second);
     list->AddRectFilled({left, bottom - h}, {left + step - 1, bottom}, before);
@@ -87,7 +64,7 @@ void bars(ImDrawList* list, const Pair& pair, ImVec2 corner, ImVec2 size) {
 }
 
 void draw(Ui& ui, Quantity quantity) {
-  const Pair& pair = pair_of(ui, quantity);
+  const HistogramPair& pair = ui.session.histograms(quantity);
   const auto& modules = ui.session.recipe().modules;
   ui.selected = std::min(ui.selected, modules.empty() ? 0 : modules.size() - 1);
   const recipe::Spec spec = modules.empty() ? recipe::Spec{} : modules[ui.selected];
@@ -104,6 +81,7 @@ void draw(Ui& ui, Quantity quantity) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 4.4f);
   ImGui::InvisibleButton(name(quantity), size);
+  ui.note_place(place_of(quantity));
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg),
                       3);
@@ -115,7 +93,9 @@ void draw(Ui& ui, Quantity quantity) {
     list->AddLine({x, corner.y}, {x, corner.y + size.y}, ImGui::GetColorU32(colour::warning), 2 * ui.scale);
   }
   const double under = high * std::clamp(double((ImGui::GetMousePos().x - corner.x) / size.x), 0.0, 1.0);
-  if (!key.empty() && ImGui::IsItemActive() && under > 0) pick(ui, spec, quantity, key, under);
+  // Not while the mouse rests: the axis may change under it with the result.
+  const bool moved = ImGui::IsItemActivated() || (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0);
+  if (!key.empty() && moved && under > 0) pick(ui, spec, quantity, key, under);
   if (ImGui::IsItemDeactivated()) ui.session.end_of_drag();
   if (ImGui::IsItemHovered())
     tip(figure(under) + (key.empty() ? "" : "\nClick or drag: sets " + key + " of " + spec.name));

@@ -28,7 +28,7 @@ struct Knob {
 
   bool given() const { return spec.has(key.name); }
   std::string value() const { return spec.word(key.name).value_or(""); }
-  std::string tag() const { return std::to_string(place) + "." + key.name; }
+  std::string tag() const { return std::to_string(place + 1) + "." + key.name; }
   recipe::Scale scale() const {
     return ui.session.model() ? ui.session.model()->scale : recipe::Scale{0.001, 1};
   }
@@ -54,8 +54,9 @@ void length_knob(const Knob& knob) {
   double amount = knob.given() ? length.amount : range.start;
   const float unit_width = ImGui::GetFontSize() * 6.6f;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_width - ImGui::GetStyle().ItemSpacing.x);
-  if (slider("##amount", amount, range, "%.4g"))
-    knob.set(Length{std::max(0.0, rounded(amount, 3)), length.unit}.text(), true);
+  const bool moved = slider("##amount", amount, range, "%.4g");
+  knob.ui.note_place(knob.tag());
+  if (moved) knob.set(Length{std::max(0.0, rounded(amount, 3)), length.unit}.text(), true);
   if (just_released()) knob.ui.session.end_of_drag();
   const double model = Length{amount, length.unit}.in_model_units(scale);
   const double edge = Length{1, Unit::edges}.in_model_units(scale);
@@ -79,7 +80,9 @@ void number_knob(const Knob& knob) {
   const bool area = knob.key.name == "area" || knob.key.name == "max-err";
   const char* format = whole ? "%.0f" : angle ? "%.4g degrees" : area ? "%.3g square units" : "%.4g";
   ImGui::SetNextItemWidth(-1);
-  if (slider("##amount", amount, range, format)) {
+  const bool moved = slider("##amount", amount, range, format);
+  knob.ui.note_place(knob.tag());
+  if (moved) {
     amount = whole ? std::round(amount) : rounded(amount, 3);
     knob.set(to_text(std::clamp(amount, knob.key.min, knob.key.max)), true);
   }

@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -77,7 +78,7 @@ void middle_line(const Ui& ui) {
 
 /// The scale of the heat colours, in model units and in percent of the diagonal.
 void legend(const Ui& ui) {
-  if (!ui.view.heat || !ui.session.comparison()) return;
+  if (!ui.view.heat || ui.view.shading == Shading::wires || !ui.session.comparison()) return;
   const float s = ui.scale, line = ImGui::GetFontSize();
   const float width = 15 * s, height = std::min(170 * s, 0.5f * static_cast<float>(ui.area.height));
   const float x = static_cast<float>(ui.area.x) + 22 * s;
@@ -110,7 +111,7 @@ void legend(const Ui& ui) {
 void plan_caption(const Ui& ui) {
   const PlanPicture* plan = ui.session.plan();
   if (!ui.view.plan || !plan || ui.view.layout == Layout::result) return;
-  const std::string text = "plan   " + grouped(plan->vertices_gone) + " vertices go into " +
+  const std::string text = "plan   " + grouped(plan->vertices_gone) + " vertices into " +
                            grouped(plan->targets.size()) + " targets, " + grouped(plan->faces_gone) +
                            " triangles vanish";
   label({static_cast<float>(ui.area.x) + 14 * ui.scale,
@@ -118,39 +119,69 @@ void plan_caption(const Ui& ui) {
         text, ui.scale, 0, tone(1, 0.72f, 0.36f, 1));
 }
 
-/// What is under way, once it takes long enough to be asked about.
-void progress(const Ui& ui) {
-  std::string text;
-  if (ui.session.loading()) {
-    text = "loading …";
-  } else if (ui.session.decimating()) {
+/// What is under way, in words; empty if nothing is.
+std::string under_way(const Ui& ui) {
+  if (ui.session.loading()) return "loading …";
+  if (ui.session.decimating()) {
     const recipe::Progress now = ui.session.progress();
-    text = "decimating: " + grouped(now.faces) + " triangles";
+    std::string text = "decimating: " + grouped(now.faces) + " triangles";
     if (now.stages > 1)
       text += ", module " + std::to_string(now.stage + 1) + " of " + std::to_string(now.stages);
-  } else if (ui.session.planning()) {
-    text = "planning …";
-  } else if (ui.session.measuring()) {
-    text = "measuring …";
-  } else if (!ui.note.empty() && ImGui::GetTime() < ui.note_until) {
-    text = ui.note;
-  } else if (ui.session.outcome() && !ui.session.outcome_is_current()) {
-    text = "the result is not yet that of the recipe: Run";
+    return text;
   }
-  if (text.empty()) return;
-  label({static_cast<float>(ui.area.x + ui.area.width) - 14 * ui.scale,
-         static_cast<float>(ui.area.y + ui.area.height) - 2 * ImGui::GetFontSize()},
-        text, ui.scale, 1);
+  if (ui.session.planning()) return "planning …";
+  if (ui.session.writing()) return "writing …";
+  return ui.session.measuring() ? "measuring …" : "";
+}
+
+/// How far it has come. Where nobody knows, a part of the bar wanders from side to side.
+void progress_bar(Ui& ui, ImVec2 right_top) {
+  const float width = 13 * ImGui::GetFontSize(), height = 5 * ui.scale;
+  const ImVec2 corner(right_top.x - width, right_top.y);
+  float first = 0, last = 0;
+  if (const auto part = ui.session.part_done()) {
+    last = static_cast<float>(*part);
+  } else {
+    const float swing = 0.5f - 0.5f * std::cos(2.2f * static_cast<float>(ImGui::GetTime()));
+    first = 0.75f * swing;
+    last = first + 0.25f;
+  }
+  const auto bar = [&](float from, float to, ImU32 ink) {
+    canvas()->AddRectFilled({corner.x + from * width, corner.y}, {corner.x + to * width, corner.y + height},
+                            ink, height / 2);
+  };
+  bar(0, 1, tone(0.10f, 0.11f, 0.12f, 0.9f));
+  if (last > first) bar(first, last, ImGui::GetColorU32(colour::accent));
+  ui.places["progress"] = {static_cast<int>(corner.x), static_cast<int>(corner.y), static_cast<int>(width),
+                           static_cast<int>(height)};
+}
+
+/// What is under way, or a note on what was done.
+void progress(Ui& ui) {
+  const float margin = 14 * ui.scale, line = ImGui::GetFontSize();
+  const ImVec2 corner(static_cast<float>(ui.area.x + ui.area.width) - margin,
+                      static_cast<float>(ui.area.y + ui.area.height) - margin);
+  const std::string busy = under_way(ui);
+  if (!busy.empty()) {
+    progress_bar(ui, {corner.x + 6 * ui.scale, corner.y - 5 * ui.scale});
+    return label({corner.x, corner.y - 14 * ui.scale - line}, busy, ui.scale, 1);
+  }
+  std::string text;
+  if (!ui.note.empty() && ImGui::GetTime() < ui.note_until)
+    text = ui.note;
+  else if (ui.session.outcome() && !ui.session.outcome_is_current())
+    text = "the result is not yet that of the recipe: Run";
+  if (!text.empty()) label({corner.x, corner.y - line}, text, ui.scale, 1);
 }
 
 }  // namespace
 
 void draw_over_views(Ui& ui) {
   if (!ui.session.model()) {
-    label({static_cast<float>(ui.area.x) + 0.5f * static_cast<float>(ui.area.width),
-           static_cast<float>(ui.area.y) + 0.48f * static_cast<float>(ui.area.height)},
-          ui.session.loading() ? "loading …" : "Drop a mesh here: OBJ, PLY, OFF or STL", ui.scale, 0.5f);
-    return;
+    if (ui.session.loading()) return progress(ui);
+    return label({static_cast<float>(ui.area.x) + 0.5f * static_cast<float>(ui.area.width),
+                  static_cast<float>(ui.area.y) + 0.48f * static_cast<float>(ui.area.height)},
+                 "Drop a mesh here: OBJ, PLY, OFF or STL", ui.scale, 0.5f);
   }
   middle_line(ui);
   split_line(ui);

@@ -10,16 +10,19 @@
 #include "model/Script.hh"
 #include "panels/Ui.hh"
 #include "render/Image.hh"
+#include "window/FrameTiming.hh"
 #include "window/Pointer.hh"
 #include "window/Scene.hh"
+#include "window/Views.hh"
 #include "window/Window.hh"
 
 namespace whittle::viewer {
 
 class App {
  public:
-  /// \param view  what is seen first.
-  App(Window& window, Session& session, Settings& settings, View view);
+  /// \param view    what is seen first.
+  /// \param budget  milliseconds for which drawing the views may hold up a frame of the window.
+  App(Window& window, Session& session, Settings& settings, View view, double budget);
   ~App();
   App(const App&) = delete;
   App& operator=(const App&) = delete;
@@ -36,38 +39,53 @@ class App {
   const View& view() const { return view_; }
 
  private:
+  /// Waits for news, so many seconds at most, and answers them.
   void step(double longest_wait);
+  bool has_more_to_draw() const;
   bool at_rest() const;  ///< nothing is under way or still to be drawn
   void take_input();
   void take_news();
-  /// One frame into the bound framebuffer of this size in pixels, panels or not.
-  void draw(int width, int height, double pixels_a_unit, bool panels);
-  void lay_out(float width, float height, bool panels);
+  void show_frame();  ///< a frame of the window
+  void work_on();     ///< what goes on between the frames
+  /// Lets the panels say what they are and how they are changed; with or without those beside the views.
+  void lay_out(int width, int height, bool panels);
+  void place_panels(float width, float height);
+  void draw_views(int window_height);
+  bool paint_views();  ///< a little; true if there is another picture to show
   /// Frames the model if that was asked for, or if the picture has changed its shape under an untouched
   /// camera.
   void keep_framed();
   void serve_requests();
-  void set_scale();
+  void follow_scale();
   void write_picture(const std::string& path, int width, int height, bool whole_window);
 
   /// Does commands of the script until one needs more frames.
   void follow_script();
   bool do_command(const Command& command);
+  bool slide(const Command& command);
   bool do_window_command(const Command& command);
+  void write_frame_times(const std::string& path);
+  void write_places(const std::string& path) const;
 
   Window& window_;
   Session& session_;
   Settings& settings_;
   View view_;
+  const double budget_;
   Ui ui_;
   std::optional<Scene> scene_;
+  std::optional<Views> views_;
+  FrameTiming timing_;
   Pointer pointer_;
   std::deque<Command> script_;
   int slide_step_ = 0;
-  int frames_due_ = 3;  ///< after an event: some of ImGui's answers show a frame later
-  bool more_to_time_ = false;
-  Orbit framed_;  ///< the camera as the last framing left it
+  int frames_due_ = 3;     ///< after an event: some of ImGui's answers show a frame later
+  double last_frame_ = 0;  ///< when, in milliseconds
+  Orbit framed_;           ///< the camera as the last framing left it
   double framed_aspect_ = 0;
+  std::string grab_;                         ///< where the next frame is to be written
+  std::vector<double> busy_;                 ///< milliseconds in which the window did not look at events
+  std::size_t sketches_ = 0, pictures_ = 0;  ///< when busy_ was begun
 };
 
 }  // namespace whittle::viewer

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
-#include <optional>
 #include <vector>
 
+#include "model/Painting.hh"
 #include "model/Session.hh"
 #include "model/View.hh"
 #include "model/panes.hh"
@@ -23,48 +24,86 @@ inline const Eigen::Vector4f kTargetColour{0.16f, 0.30f, 0.62f, 1.0f};
 /// What surrounds the meshes, and their sides.
 render::Look look();
 
+/// A picture of the views: what it shows, and how large.
+struct Sight {
+  View view;
+  int width = 0, height = 0;
+  float pixel = 1;          ///< width of a thin line
+  double heat_top = 0;      ///< the distance that gets the last heat colour, in model units
+  std::size_t edition = 0;  ///< of the scene
+
+  bool empty() const { return width < 1 || height < 1; }
+  bool operator==(const Sight& other) const {
+    return view == other.view && width == other.width && height == other.height && pixel == other.pixel &&
+           heat_top == other.heat_top && edition == other.edition;
+  }
+};
+
+/// A picture as it should be, or one that is drawn soon: stand-ins of large meshes, no wires over surfaces,
+/// and of the lines only those that are few.
+enum class Detail { full, sketch };
+
 class Scene {
  public:
   /// Takes what is new in the session into the graphics memory.
   void update(const Session& session, const News& news);
 
-  /// Draws into the bound framebuffer of this height, in pixels. \param pixel  width of a thin line.
-  void draw(const Session& session, const View& view, const Rect& area, int framebuffer_height, float pixel);
+  std::size_t edition() const { return edition_; }  ///< another number whenever the meshes look different
+  std::size_t models() const { return models_; }    ///< how many have been opened
 
-  /// Times one frame of each mesh, if they still need it: to be called when there is nothing else to do.
-  /// \return whether more of that is to be done.
-  bool time_frames(const Session& session);
-  /// How long a frame takes: the Renderer at 512 by 512 pixels, as the benchmark draws it. The median of a
-  /// few; none before.
-  std::optional<double> frame_milliseconds(Which which) const;
+  /// What must be drawn for a picture, into a framebuffer of its size. The strokes hold what they draw: they
+  /// stay good when the scene changes. They need the scene itself.
+  std::vector<Stroke> strokes(const Session& session, const Sight& sight, Detail detail);
 
-  /// The distance that gets the last heat colour, in model units.
-  static double heat_top(const Session& session, const View& view);
+  /// Null before there is one.
+  std::shared_ptr<const render::MeshBuffers> mesh(Which which) const { return side(which).mesh; }
+  const render::Renderer& renderer() const { return renderer_; }
 
  private:
+  using Mesh = std::shared_ptr<const render::MeshBuffers>;
+  using Values = std::shared_ptr<const render::ValueBuffer>;
+  using Points = std::shared_ptr<const render::PointBuffer>;
+
   /// One mesh with all that can be drawn on it.
   struct Side {
-    std::unique_ptr<render::MeshBuffers> mesh;
-    std::unique_ptr<render::ValueBuffer> heat;
-    std::array<std::unique_ptr<render::PointBuffer>, 4> edges;  ///< by EdgeSet
-    double feature_angle = -1;                                  ///< of the feature edges in `edges`
-    std::vector<double> frame_ms;                               ///< samples so far
+    Mesh mesh, stand_in;
+    Values heat, stand_in_heat;
+    std::array<Points, 4> edges;  ///< by EdgeSet
   };
 
+  /// What the strokes of one pane have in common.
+  struct Place {
+    Pane pane;
+    int height;  ///< of the whole picture, pixels
+    render::Camera camera;
+    double edge_pixels;  ///< how long a mean edge of the original is in the middle of the picture
+  };
+
+  const Side& side(Which which) const { return which == Which::original ? original_ : result_; }
   Side& side(Which which) { return which == Which::original ? original_ : result_; }
-  void draw_pane(const Session& session, const View& view, const Pane& pane, int framebuffer_height,
-                 float pixel);
-  /// \param edge_pixels  how long a mean edge in the middle of the picture is.
-  void draw_surface(Side& side, const View& view, const render::Camera& camera, float heat_top,
-                    double edge_pixels);
-  void draw_edges(Side& side, const IndexedMesh& mesh, const std::vector<Edge>* edges, const View& view,
-                  const render::Camera& camera, float pixel);
+  static void take_stand_in(Side& side, const StandIn* stand_in, const std::vector<float>* heat);
+
+  void add_surface(std::vector<Stroke>& strokes, const Side& side, const Place& place, const Sight& sight,
+                   Detail detail) const;
+  /// \param over  a surface, not alone.
+  void add_wires(std::vector<Stroke>& strokes, const Mesh& mesh, const Place& place, float opacity,
+                 bool over) const;
+  void add_edges(std::vector<Stroke>& strokes, Side& side, const EdgeSets& edges, const Place& place,
+                 const Sight& sight, std::size_t most);
+  void add_plan(std::vector<Stroke>& strokes, const Place& place, float pixel, std::size_t most) const;
 
   render::Renderer renderer_;
   render::SurfacePainter surfaces_;
   render::LinePainter lines_;
   Side original_, result_;
-  std::unique_ptr<render::PointBuffer> plan_lines_, plan_targets_;
+  Points plan_lines_, plan_targets_;
+  std::size_t edition_ = 1, models_ = 0;
 };
+
+/// What a picture of the views shows. \param pixel  width of a thin line.
+Sight sight(const Session& session, const Scene& scene, const View& view, const Rect& area, float pixel);
+
+/// The distance that gets the last heat colour.
+double heat_top(const Session& session, const View& view);
 
 }  // namespace whittle::viewer

@@ -36,14 +36,13 @@ std::string key_name(int key, int scancode, int mods) {
 
 }  // namespace
 
-Window::Window(int width, int height, const std::string& title, int samples, bool visible) {
+Window::Window(int width, int height, const std::string& title, bool visible) : visible_(visible) {
   if (!glfwInit())
     throw WindowError("no display: " + glfw_reason() + "; to draw without one use whittle-bench");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  glfwWindowHint(GLFW_SAMPLES, samples > 1 ? samples : 0);
   glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
@@ -61,19 +60,39 @@ Window::Window(int width, int height, const std::string& title, int samples, boo
   }
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(window_, this);
+  listen();
+}
+
+Window& Window::stirred(GLFWwindow* handle) {
+  auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+  self.stirred_ = true;
+  return self;
+}
+
+void Window::listen() {
   glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
-    auto* self = static_cast<Window*>(glfwGetWindowUserPointer(handle));
-    self->dropped_.insert(self->dropped_.end(), paths, paths + count);
+    auto& dropped = stirred(handle).dropped_;
+    dropped.insert(dropped.end(), paths, paths + count);
   });
-  // Before ImGui's, which call these in turn.
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* handle, double, double) { stirred(handle); });
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* handle, int, int) { stirred(handle); });
+  glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* handle, float, float) { stirred(handle); });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* handle) { stirred(handle); });
+  glfwSetWindowCloseCallback(window_, [](GLFWwindow* handle) { stirred(handle); });
+  // ImGui has callbacks of its own for these, which call ours.
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* handle, int) { stirred(handle); });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* handle, int) { stirred(handle); });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int, int) { stirred(handle); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* handle, double, double) { stirred(handle); });
   glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int scancode, int action, int mods) {
-    auto* self = static_cast<Window*>(glfwGetWindowUserPointer(handle));
+    auto& self = stirred(handle);
     if (action != GLFW_PRESS) return;
     const std::string name = key_name(key, scancode, mods);
-    if (!name.empty()) self->keys_.push_back(name);
+    if (!name.empty()) self.keys_.push_back(name);
   });
   glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned code) {
-    if (code == '?') static_cast<Window*>(glfwGetWindowUserPointer(handle))->keys_.push_back("?");
+    auto& self = stirred(handle);
+    if (code == '?') self.keys_.push_back("?");
   });
 }
 
@@ -102,6 +121,12 @@ double Window::content_scale() const {
   float x = 1, y = 1;
   glfwGetWindowContentScale(window_, &x, &y);
   return x > 0.5f ? double(x) : 1;
+}
+
+double Window::pixels_a_unit() const {
+  int units = 0, unused = 0;
+  glfwGetWindowSize(window_, &units, &unused);
+  return units > 0 ? double(width()) / units : 1;
 }
 
 bool Window::wants_to_close() const {
@@ -141,6 +166,10 @@ std::vector<std::string> Window::take_dropped() {
 
 std::vector<std::string> Window::take_keys() {
   return std::exchange(keys_, {});
+}
+
+bool Window::take_stir() {
+  return std::exchange(stirred_, false);
 }
 
 }  // namespace whittle::viewer

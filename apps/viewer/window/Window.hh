@@ -19,9 +19,9 @@ class WindowError : public std::runtime_error {
 /// One window with a context of OpenGL 3.3 core, current on the thread that makes it. Only one may exist.
 class Window {
  public:
-  /// \param samples  for each pixel. \param visible  false for pictures alone.
-  /// \throw WindowError
-  Window(int width, int height, const std::string& title, int samples, bool visible);
+  /// \param width    and height in pixels of an ordinary screen: on one that is twice as fine it has twice as
+  /// many. \param visible  false for pictures alone. \throw WindowError
+  Window(int width, int height, const std::string& title, bool visible);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -33,6 +33,9 @@ class Window {
   int height() const;
   void resize(int width, int height);
   double content_scale() const;  ///< 1 on ordinary screens, 2 where everything is twice as fine
+  /// Pixels for one unit of the mouse's coordinates, which some systems count in larger ones.
+  double pixels_a_unit() const;
+  bool visible() const { return visible_; }
 
   bool wants_to_close() const;
   void close();
@@ -44,14 +47,21 @@ class Window {
   void wait(double seconds);
   static void wake();  ///< ends a wait; from any thread
 
-  /// What came since the last call: files dropped on the window; keys by name, as `F`, `?`, `Ctrl+Shift+Z`.
+  /// What came since the last call: files dropped on the window; keys by name, as `F`, `?`, `Ctrl+Shift+Z`;
+  /// anything at all that the window should answer.
   /// \{
   std::vector<std::string> take_dropped();
   std::vector<std::string> take_keys();
+  bool take_stir();
   /// \}
 
  private:
+  void listen();
+  static Window& stirred(GLFWwindow* handle);  ///< the window of an event
+
   GLFWwindow* window_ = nullptr;
+  bool visible_;
+  bool stirred_ = false;
   std::vector<std::string> dropped_, keys_;
 };
 

@@ -1,6 +1,10 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "files/MeshFile.hh"
 #include "model/RecipeEdit.hh"
 #include "model/number.hh"
 #include "model/perform.hh"
@@ -19,7 +23,7 @@ int mouse_button(const Command& command) {
 
 /// Commands that may be given while a message is on the screen.
 bool minds_no_message(const Command& command) {
-  for (const char* name : {"expect-error", "wait", "screenshot", "resize", "key"})
+  for (const char* name : {"expect-error", "wait", "await", "screenshot", "grab", "resize", "key"})
     if (command.name == name) return true;
   return false;
 }
@@ -41,24 +45,55 @@ bool App::do_command(const Command& command) {
   if (perform(command, session_, view_, panes(view_, ui_.area, session_.outcome()).front().picture.aspect()))
     return true;
   if (command.name == "wait") return at_rest();
-  if (command.name == "slide") {
-    const double from = command.number(2), to = command.number(3);
-    const int steps = static_cast<int>(command.count(4));
-    const std::size_t place = command.count(0) - 1;
-    // Values with the unit that the parameter has now.
-    const auto& modules = session_.recipe().modules;
-    if (place >= modules.size()) command.fail("there is no such module");
-    const auto now = modules[place].word(command.arguments[1]);
-    const std::string unit = now ? suffix(parse_length(*now).unit) : "";
-    const double value = rounded(from + (to - from) * slide_step_ / std::max(steps - 1, 1), 4);
-    session_.change(with_value(session_.recipe(), place, command.arguments[1], to_text(value) + unit),
-                    "slide." + command.arguments[1]);
-    if (++slide_step_ < steps) return false;
-    slide_step_ = 0;
-    session_.end_of_drag();
-    return true;
-  }
+  if (command.name == "await") return std::filesystem::exists(command.arguments[0]);
+  if (command.name == "slide") return slide(command);
   return do_window_command(command);
+}
+
+bool App::slide(const Command& command) {
+  const double from = command.number(2), to = command.number(3);
+  const int steps = static_cast<int>(command.count(4));
+  const std::size_t place = command.count(0) - 1;
+  // Values with the unit that the parameter has now.
+  const auto& modules = session_.recipe().modules;
+  if (place >= modules.size()) command.fail("there is no such module");
+  const auto now = modules[place].word(command.arguments[1]);
+  const std::string unit = now ? suffix(parse_length(*now).unit) : "";
+  const double value = rounded(from + (to - from) * slide_step_ / std::max(steps - 1, 1), 4);
+  session_.change(with_value(session_.recipe(), place, command.arguments[1], to_text(value) + unit),
+                  "slide." + command.arguments[1]);
+  if (++slide_step_ < steps) {
+    frames_due_ = 1;
+    return false;
+  }
+  slide_step_ = 0;
+  session_.end_of_drag();
+  return true;
+}
+
+void App::write_places(const std::string& path) const {
+  nlohmann::ordered_json json;
+  for (const auto& [name, place] : ui_.places)
+    json[name] = {{"x", place.x}, {"y", place.y}, {"width", place.width}, {"height", place.height}};
+  files::write_file(path, json.dump(2) + "\n");
+}
+
+void App::write_frame_times(const std::string& path) {
+  const std::size_t sketches = views_ ? views_->sketches() : 0, pictures = views_ ? views_->pictures() : 0;
+  std::sort(busy_.begin(), busy_.end());
+  const auto at = [&](double part) {
+    return busy_.empty() ? 0 : busy_[static_cast<std::size_t>(part * static_cast<double>(busy_.size() - 1))];
+  };
+  const nlohmann::ordered_json json{{"times", busy_.size()},
+                                    {"median_ms", at(0.5)},
+                                    {"p95_ms", at(0.95)},
+                                    {"max_ms", at(1)},
+                                    {"sketches", sketches - std::min(sketches_, sketches)},
+                                    {"pictures", pictures - std::min(pictures_, pictures)}};
+  files::write_file(path, json.dump(2) + "\n");
+  busy_.clear();
+  sketches_ = sketches;
+  pictures_ = pictures;
 }
 
 bool App::do_window_command(const Command& command) {
@@ -71,6 +106,16 @@ bool App::do_window_command(const Command& command) {
                     command.number(4));
     } else if (command.name == "scroll") {
       pointer_.scroll(ui_.area, command.number(0), command.number(1), command.number(2));
+    } else if (command.name == "pull") {
+      const auto place = ui_.places.find(words[0]);
+      if (place == ui_.places.end()) command.fail("there is no '" + words[0] + "' on the screen");
+      pointer_.drag(0, place->second, command.number(1), 0.5, command.number(2), 0.5);
+    } else if (command.name == "places") {
+      write_places(words[0]);
+    } else if (command.name == "grab") {
+      grab_ = words[0];
+    } else if (command.name == "frame-times") {
+      write_frame_times(words[0]);
     } else if (command.name == "key") {
       if (!press_key(ui_, words[0])) command.fail("no such key");
     } else if (command.name == "resize") {
