@@ -12,8 +12,8 @@ namespace whittle::batch {
 /// The right to work on one thing: a file that only one process can create. Given back by the destructor.
 ///
 /// The owner touches the file every now and then. A file that nobody has touched for a while belonged to a
-/// process that died; somebody else may then take it over. In a race of several who do that at the same instant
-/// two may come to hold it; so whatever is done under a claim must be allowed to happen twice.
+/// process that died; somebody else may then take it over. In a race of several who do that at the same
+/// instant two may come to hold it; so whatever is done under a claim must be allowed to happen twice.
 class Claim {
  public:
   /// How long a claim that nobody touches is respected.

@@ -55,8 +55,9 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
       ->expected(1);
   if (with_target) add_target(command, options);
   command
-      .add_option("--max-distance", options.max_distance,
-                  "No point of either surface may lie farther than this from the other; kept for every module")
+      .add_option(
+          "--max-distance", options.max_distance,
+          "No point of either surface may lie farther than this from the other; kept for every module")
       ->type_name("LENGTH");
   command
       .add_option("--lock", options.locks,
@@ -76,8 +77,7 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
   command.add_option("--driver", options.driver, "auto, bulk, sweep, lazy, decimater or mc")
       ->capture_default_str();
   command
-      .add_option("--repair", options.repair,
-                  "What to do about damage: none, report (say it), fix (mend it)")
+      .add_option("--repair", options.repair, "What to do about damage: none, report (say it), fix (mend it)")
       ->check(CLI::IsMember({"none", "report", "fix"}))
       ->capture_default_str();
 }

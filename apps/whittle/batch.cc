@@ -139,9 +139,10 @@ Command add_batch(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("batch", "Simplify many meshes");
   command
-      ->add_option("SOURCE", options->source,
-                   "A folder, whose meshes are taken with those of the folders in it; or a text file with the "
-                   "name of a mesh on each line")
+      ->add_option(
+          "SOURCE", options->source,
+          "A folder, whose meshes are taken with those of the folders in it; or a text file with the "
+          "name of a mesh on each line")
       ->required();
   command->add_option("--out", options->out, "Folder for the results; made if missing")
       ->required()
@@ -155,7 +156,8 @@ Command add_batch(CLI::App& app) {
   command->add_option("--time-limit", options->time_limit, "Give up on a mesh after so long")
       ->check(CLI::Range(0.001, 1e9))
       ->type_name("SECONDS");
-  command->add_option("--memory-limit", options->memory_limit, "Let no mesh take more address space than this")
+  command
+      ->add_option("--memory-limit", options->memory_limit, "Let no mesh take more address space than this")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
       ->type_name("MIB");
   command->add_flag("--resume", options->resume,
@@ -163,10 +165,12 @@ Command add_batch(CLI::App& app) {
   add_recipe_options(*command, *options, true);
   command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");
   auto* quiet = command->add_flag("--quiet", options->quiet, "Print nothing but errors");
-  command->add_flag("--verbose", options->verbose, "List every mesh at the end, however many")->excludes(quiet);
+  command->add_flag("--verbose", options->verbose, "List every mesh at the end, however many")
+      ->excludes(quiet);
   command->footer(
       "Exit codes: 0 all done; 1 a mesh failed or missed its target; 2 bad usage.\n"
-      "Start it as often as you like on the same folders, also on several machines, with --resume: each mesh is\n"
+      "Start it as often as you like on the same folders, also on several machines, with --resume: each mesh "
+      "is\n"
       "done once. A line for each goes to DIR/.whittle/log/*.jsonl.\n\n"
       "Examples:\n"
       "  whittle batch scans --out small --ratio 0.1 --jobs 4 --time-limit 600\n"

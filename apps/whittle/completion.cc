@@ -101,8 +101,9 @@ std::string fish(const CLI::App& app) {
 
 int print_completion(const CLI::App& app, const std::string& shell) {
   const std::string text = shell == "fish" ? fish(app)
-                           : shell == "zsh" ? "#compdef whittle\nautoload -U +X bashcompinit && bashcompinit\n" + bash(app)
-                                            : bash(app);
+                           : shell == "zsh"
+                               ? "#compdef whittle\nautoload -U +X bashcompinit && bashcompinit\n" + bash(app)
+                               : bash(app);
   std::fwrite(text.data(), 1, text.size(), stdout);
   return 0;
 }
@@ -111,7 +112,8 @@ int print_completion(const CLI::App& app, const std::string& shell) {
 
 Command add_completion(CLI::App& app) {
   const auto shell = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("completion", "Print what a shell needs to complete commands and options");
+  CLI::App* command =
+      app.add_subcommand("completion", "Print what a shell needs to complete commands and options");
   command->add_option("SHELL", *shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));

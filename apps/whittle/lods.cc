@@ -39,8 +39,8 @@ bool is_glb(const std::string& path) {
 /// "out/bunny.ply" becomes "out/bunny-lod0.ply", "out/bunny-lod1.ply", and so on.
 std::string file_of(const std::string& out, std::size_t level) {
   const fs::path path = out;
-  return (path.parent_path() / (path.stem().string() + "-lod" + std::to_string(level) +
-                                path.extension().string()))
+  return (path.parent_path() /
+          (path.stem().string() + "-lod" + std::to_string(level) + path.extension().string()))
       .string();
 }
 
@@ -69,11 +69,11 @@ std::vector<Level> make_levels(const Options& options, const files::MeshFile& in
     const double share = std::pow(options.step, static_cast<double>(i));
     const auto wanted = std::max<std::size_t>(
         1, static_cast<std::size_t>(share * static_cast<double>(in.mesh.triangles.size())));
-    Level level{progression ? progression->at(wanted)
-                            : recipe::run(in.mesh, recipe_for(options, wanted), {}, givens),
-                wanted,
-                {},
-                ""};
+    Level level{
+        progression ? progression->at(wanted) : recipe::run(in.mesh, recipe_for(options, wanted), {}, givens),
+        wanted,
+        {},
+        ""};
     measure::DistanceOptions sampling;
     sampling.samples = options.samples;
     level.distance = measure::distance(in.mesh, level.result.mesh, sampling);
@@ -121,7 +121,8 @@ void print(const files::MeshFile& in, const std::vector<Level>& levels) {
 }
 
 /// \return what the formats could not take.
-std::vector<std::string> write(const Options& options, const files::MeshFile& in, std::vector<Level>& levels) {
+std::vector<std::string> write(const Options& options, const files::MeshFile& in,
+                               std::vector<Level>& levels) {
   if (is_glb(options.out)) {
     std::vector<files::Level> all{{in.mesh, in.attributes, 0}};
     for (Level& level : levels) {
@@ -177,9 +178,10 @@ Command add_lods(CLI::App& app) {
       ->check(CLI::Range(0.01, 0.99))
       ->capture_default_str()
       ->type_name("R");
-  command->add_option("--out", options->out,
-                      "NAME.glb: all levels in one file, with MSFT_lod; else one file each, NAME-lod0.ply and "
-                      "so on. Default: beside the model")
+  command
+      ->add_option("--out", options->out,
+                   "NAME.glb: all levels in one file, with MSFT_lod; else one file each, NAME-lod0.ply and "
+                   "so on. Default: beside the model")
       ->type_name("NAME");
   add_recipe_options(*command, *options, false);
   command->add_option("--samples", options->samples, "Sample points on each surface for the errors")

@@ -51,7 +51,8 @@ int print_manual(CLI::App& app) {
   print(".TH WHITTLE 1 \"\" \"whittle " + version::number() + "\" \"User commands\"\n");
   print(".SH NAME\nwhittle \\- simplify triangle meshes\n");
   print(".SH SYNOPSIS\n");
-  const auto commands = app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+  const auto commands =
+      app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
   for (const CLI::App* command : commands) {
     std::string line = ".B whittle " + roff(command->get_name()) + "\n";
     for (const CLI::Option* option : command->get_options())

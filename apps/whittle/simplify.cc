@@ -96,8 +96,7 @@ void print(const Options& options, const files::MeshFile& in, const recipe::Resu
                 recipe::to_string(stage.driver).c_str(), stage.passes, stage.plan_seconds * 1e3,
                 stage.execute_seconds * 1e3);
     std::printf("    refused: %zu by the flip guard, %zu by the link condition, %zu by the driver\n",
-                stage.record.refused_by_flip_guard, stage.record.refused_by_link,
-                stage.refused_by_decimater);
+                stage.record.refused_by_flip_guard, stage.record.refused_by_link, stage.refused_by_decimater);
   }
   if (result.held > 0) std::printf("  %zu vertices locked\n", result.held);
   if (result.held_by_bound > 0)
@@ -130,7 +129,8 @@ int complain_about_misses(const recipe::Recipe& recipe, const recipe::Result& re
   }
   if (!result.target_reached) {
     std::string why;
-    for (const std::string& reason : recipe::reasons(recipe, result)) why += (why.empty() ? "" : "; ") + reason;
+    for (const std::string& reason : recipe::reasons(recipe, result))
+      why += (why.empty() ? "" : "; ") + reason;
     complain("the target was not reached: " + std::to_string(result.mesh.triangles.size()) + " faces and " +
              std::to_string(result.mesh.points.size()) + " vertices are left; " + why);
     code = 1;
@@ -174,7 +174,8 @@ Command add_simplify(CLI::App& app) {
                    "Where the result goes; the extension says the format; - is standard output")
       ->required();
   add_recipe_options(*command, *options, true);
-  command->add_option("--format", options->format, "Write obj, ply, off, stl, om or glb, whatever OUT is called")
+  command
+      ->add_option("--format", options->format, "Write obj, ply, off, stl, om or glb, whatever OUT is called")
       ->type_name("NAME");
   command->add_option("--json", options->json, "Write what was done as JSON to a file, or to stdout for -");
   command->add_option("--map", options->map,

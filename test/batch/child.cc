@@ -34,9 +34,9 @@ TEST_CASE("a child tells how it ended and its last word") {
 }
 
 TEST_CASE("a child that talks a lot does not hang, and its last line is kept short") {
-  const Ending ending =
-      end_of("i=0; while [ $i -lt 5000 ]; do echo 'line after line after line' >&2; i=$((i+1)); done; "
-             "head -c 5000 /dev/zero | tr '\\0' x >&2; exit 3");
+  const Ending ending = end_of(
+      "i=0; while [ $i -lt 5000 ]; do echo 'line after line after line' >&2; i=$((i+1)); done; "
+      "head -c 5000 /dev/zero | tr '\\0' x >&2; exit 3");
   CHECK(ending.code == 3);
   CHECK(ending.message.size() < 600);
   CHECK(ending.message[0] == 'x');

@@ -109,8 +109,8 @@ TEST_CASE("several batches on one folder share the work: each mesh is done once"
 TEST_CASE("batch takes a manifest, another format, and limits") {
   const Scans scans;
   std::ofstream(scans.folder.path() / "list.txt") << "# two\nin/a.ply\nin/deep/c.off\n";
-  const auto done = whittle_program({"batch", scans.folder / "list.txt", "--out", scans.out().string(), "--format",
-                                     "glb", "--faces", "500", "--time-limit", "300"});
+  const auto done = whittle_program({"batch", scans.folder / "list.txt", "--out", scans.out().string(),
+                                     "--format", "glb", "--faces", "500", "--time-limit", "300"});
   INFO(done.err);
   CHECK(done.code == 0);
   CHECK(files::read_mesh(scans.out() / "a.glb").mesh.triangles.size() == 500);
@@ -122,13 +122,16 @@ TEST_CASE("batch takes a manifest, another format, and limits") {
 
 TEST_CASE("a batch that cannot be is refused before anything is begun") {
   const Scans scans;
-  for (const std::vector<std::string>& more :
-       {std::vector<std::string>{"--module", "nothing"}, {"--jobs", "0"}, {"--format", "doc"}, {"--ratio", "2"}}) {
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--module", "nothing"},
+                                               {"--jobs", "0"},
+                                               {"--format", "doc"},
+                                               {"--ratio", "2"}}) {
     const auto bad = scans.run(more);
     INFO(more[0]);
     CHECK(bad.code == 2);
     CHECK(bad.error_lines() == 1);
     CHECK_FALSE(fs::exists(scans.out()));
   }
-  CHECK(whittle_program({"batch", scans.folder / "nothing", "--out", scans.out().string(), "--ratio", "0.5"}).code == 2);
+  CHECK(whittle_program({"batch", scans.folder / "nothing", "--out", scans.out().string(), "--ratio", "0.5"})
+            .code == 2);
 }

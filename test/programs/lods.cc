@@ -12,7 +12,8 @@ using programs::whittle_program;
 
 TEST_CASE("lods writes a chain of files, each half of the one before, with its error") {
   const TorusFile in;
-  const auto done = whittle_program({"lods", in.path, "--levels", "4", "--out", in.folder / "out.ply", "--json", "-"});
+  const auto done =
+      whittle_program({"lods", in.path, "--levels", "4", "--out", in.folder / "out.ply", "--json", "-"});
   INFO(done.err);
   REQUIRE(done.code == 0);
   const Json json = Json::parse(done.out);
@@ -48,8 +49,8 @@ TEST_CASE("lods writes one GLB with all levels") {
 
 TEST_CASE("lods takes any module, and other ratios") {
   const TorusFile in;
-  const auto done = whittle_program({"lods", in.path, "--out", in.folder / "out.obj", "--levels", "3", "--ratio",
-                                     "0.7", "--module", "ivdd", "--quiet"});
+  const auto done = whittle_program({"lods", in.path, "--out", in.folder / "out.obj", "--levels", "3",
+                                     "--ratio", "0.7", "--module", "ivdd", "--quiet"});
   INFO(done.err);
   CHECK(done.code == 0);
   CHECK(done.out.empty());
@@ -62,9 +63,11 @@ TEST_CASE("lods says when a level cannot be had, and refuses what means nothing"
   const auto short_of = whittle_program({"lods", in.path, "--out", in.folder / "out.ply", "--levels", "12"});
   CHECK(short_of.code == 1);
   CHECK_THAT(short_of.err, Contains("were wanted"));
-  for (const std::vector<std::string>& more :
-       {std::vector<std::string>{"--levels", "1"}, {"--ratio", "1"}, {"--module", "nothing"},
-        {"--out", in.folder / "no/out.ply"}, {"--out", in.folder / "out.xyz"}}) {
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--levels", "1"},
+                                               {"--ratio", "1"},
+                                               {"--module", "nothing"},
+                                               {"--out", in.folder / "no/out.ply"},
+                                               {"--out", in.folder / "out.xyz"}}) {
     std::vector<std::string> arguments{"lods", in.path};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const auto bad = whittle_program(arguments);

@@ -48,25 +48,28 @@ TEST_CASE("a lock keeps a selection, and names what is wrong with one") {
   const std::string list = in.folder / "keep.txt";
   std::ofstream(list) << "# first hundred\n";
   for (int v = 0; v < 100; ++v) std::ofstream(list, std::ios::app) << v << (v % 10 == 9 ? "\n" : " ");
-  const Json json = simplified(in, {"--ratio", "0.2", "--lock", "selection:" + list, "--map", in.folder / "map"});
+  const Json json =
+      simplified(in, {"--ratio", "0.2", "--lock", "selection:" + list, "--map", in.folder / "map"});
   CHECK(json["vertices_locked"] == 100);
   std::istringstream map(programs::contents(in.folder / "map"));
   std::vector<std::size_t> became;
   for (std::size_t v; map >> v;) became.push_back(v);
   REQUIRE(became.size() == in.mesh.points.size());
   const auto out = result(in);
-  for (std::size_t v = 0; v < 100; ++v)
-    CHECK((out.points[became[v]] - in.mesh.points[v]).norm() < 1e-12);
+  for (std::size_t v = 0; v < 100; ++v) CHECK((out.points[became[v]] - in.mesh.points[v]).norm() < 1e-12);
 
-  for (const std::string& bad : {"selection:" + list, std::string("selection:none.txt"), std::string("everything"),
-                                std::string("feature:200")}) {
+  for (const std::string& bad : {"selection:" + list, std::string("selection:none.txt"),
+                                 std::string("everything"), std::string("feature:200")}) {
     std::ofstream(list) << "1\n2 x\n";
-    const auto done = whittle_program({"simplify", in.path, in.folder / "o.ply", "--ratio", "0.5", "--lock", bad});
+    const auto done =
+        whittle_program({"simplify", in.path, in.folder / "o.ply", "--ratio", "0.5", "--lock", bad});
     INFO(bad << done.err);
     CHECK(done.code == 2);
     CHECK(done.error_lines() == 1);
   }
-  CHECK_THAT(whittle_program({"simplify", in.path, in.folder / "o.ply", "--ratio", "0.5", "--lock", "selection:" + list}).err,
+  CHECK_THAT(whittle_program(
+                 {"simplify", in.path, in.folder / "o.ply", "--ratio", "0.5", "--lock", "selection:" + list})
+                 .err,
              Contains("keep.txt:2: 'x' is not the number of a vertex"));
 }
 
@@ -75,10 +78,10 @@ TEST_CASE("a flat grid keeps all its area with every module, and a locked bounda
   const IndexedMesh grid = meshes::flat_grid(60);
   files::write_mesh(folder / "grid.ply", grid);
   const double whole = measure::facts(grid).area;
-  for (const std::string module : {"mq", "quadric", "fad:boundary=merge", "ivdd:boundary=merge", "ss:boundary=merge",
-                                   "vtd:boundary=merge", "fass:boundary=merge", "vt"}) {
-    const auto done = whittle_program({"simplify", folder / "grid.ply", folder / "out.ply", "--module", module, "--faces",
-                                       "200", "--json", folder / "out.json"});
+  for (const std::string module : {"mq", "quadric", "fad:boundary=merge", "ivdd:boundary=merge",
+                                   "ss:boundary=merge", "vtd:boundary=merge", "fass:boundary=merge", "vt"}) {
+    const auto done = whittle_program({"simplify", folder / "grid.ply", folder / "out.ply", "--module",
+                                       module, "--faces", "200", "--json", folder / "out.json"});
     const Json json = Json::parse(programs::contents(folder / "out.json"));
     const auto out = files::read_mesh(folder / "out.ply").mesh;
     INFO(module << " " << out.triangles.size() << done.err);
@@ -88,7 +91,9 @@ TEST_CASE("a flat grid keeps all its area with every module, and a locked bounda
       CHECK((out.triangles.size() <= 200 || module == "vt"));
     }
   }
-  REQUIRE(whittle_program({"simplify", folder / "grid.ply", folder / "out.ply", "--ratio", "0.3", "--lock", "boundary"}).code == 0);
+  REQUIRE(whittle_program(
+              {"simplify", folder / "grid.ply", folder / "out.ply", "--ratio", "0.3", "--lock", "boundary"})
+              .code == 0);
   CHECK(measure::facts(files::read_mesh(folder / "out.ply").mesh).boundary_edges == 4 * 59);
 }
 
@@ -143,22 +148,24 @@ TEST_CASE("weights keep detail, and must be there") {
     REQUIRE(done.code == 0);
     const auto out = files::read_mesh(folder / "out.ply");
     CHECK(out.attributes.size() == 1);
-    return std::count_if(out.mesh.points.begin(), out.mesh.points.end(), [](const auto& p) { return p.x() < 0; });
+    return std::count_if(out.mesh.points.begin(), out.mesh.points.end(),
+                         [](const auto& p) { return p.x() < 0; });
   };
   for (const std::string module : {"ivdd", "ss", "quadric", "mq"}) {
     INFO(module);
     CHECK(double(left({"--module", module, "--faces", "900", "--weights", "importance"})) >
           1.2 * double(left({"--module", module, "--faces", "900"})));
   }
-  const auto none = whittle_program({"simplify", folder / "in.ply", folder / "o.ply", "--ratio", "0.5", "--weights", "x"});
+  const auto none =
+      whittle_program({"simplify", folder / "in.ply", folder / "o.ply", "--ratio", "0.5", "--weights", "x"});
   CHECK(none.code == 2);
   CHECK_THAT(none.err, Contains("no vertex property 'x'; there are importance"));
 }
 
 TEST_CASE("standard input and output") {
   const TorusFile in;
-  const std::string command = "'" WHITTLE_PROGRAM "' simplify - - --format ply --ratio 0.5 <'" + in.path + "' >'" +
-                              in.folder / "out.ply" + "'";
+  const std::string command = "'" WHITTLE_PROGRAM "' simplify - - --format ply --ratio 0.5 <'" + in.path +
+                              "' >'" + in.folder / "out.ply" + "'";
   REQUIRE(std::system(command.c_str()) == 0);
   CHECK(result(in).triangles.size() == 1344);
 }
@@ -168,7 +175,8 @@ TEST_CASE("the program describes itself") {
   CHECK_THAT(version.out, Contains("commit") && Contains("OpenMesh 9") && Contains("Eigen 3"));
   const auto manual = whittle_program({"manual"});
   CHECK(manual.code == 0);
-  for (const char* word : {".TH WHITTLE 1", "whittle simplify", "whittle batch", "max\\-distance", ".SH EXIT STATUS"})
+  for (const char* word :
+       {".TH WHITTLE 1", "whittle simplify", "whittle batch", "max\\-distance", ".SH EXIT STATUS"})
     CHECK_THAT(manual.out, Contains(word));
   for (const std::string shell : {"bash", "zsh", "fish"}) {
     const auto completion = whittle_program({"completion", shell});
@@ -177,10 +185,12 @@ TEST_CASE("the program describes itself") {
   }
   CHECK(whittle_program({"completion", "cmd"}).code == 2);
   const TorusFile in;
-  std::ofstream(in.folder / "try.sh") << "source <('" WHITTLE_PROGRAM "' completion bash)\n"
-                                         "COMP_WORDS=(whittle sim); COMP_CWORD=1; _whittle; echo \"${COMPREPLY[@]}\"\n"
-                                         "COMP_WORDS=(whittle simplify --max); COMP_CWORD=2; _whittle; echo \"${COMPREPLY[@]}\"\n"
-                                         "COMP_WORDS=(whittle simplify --module f); COMP_CWORD=3; _whittle; echo \"${COMPREPLY[@]}\"\n";
+  std::ofstream(in.folder / "try.sh")
+      << "source <('" WHITTLE_PROGRAM
+         "' completion bash)\n"
+         "COMP_WORDS=(whittle sim); COMP_CWORD=1; _whittle; echo \"${COMPREPLY[@]}\"\n"
+         "COMP_WORDS=(whittle simplify --max); COMP_CWORD=2; _whittle; echo \"${COMPREPLY[@]}\"\n"
+         "COMP_WORDS=(whittle simplify --module f); COMP_CWORD=3; _whittle; echo \"${COMPREPLY[@]}\"\n";
   const auto tried = programs::run("/bin/bash", {in.folder / "try.sh"});
   CHECK(tried.out == "simplify\n--max-distance\nfad fass\n");
 }
