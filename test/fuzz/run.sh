@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds the fuzz targets with clang and runs each for some time, one after the other.
-#   test/fuzz/run.sh [SECONDS] [FORMAT ...]
+#   test/fuzz/run.sh [SECONDS] [TARGET ...]
 # SECONDS  for each target; 60 without
-# FORMAT   obj off ply stl om glb gltf; all without
+# TARGET   a reader, obj off ply stl om glb gltf, or soup, all planners and executors on any triangles; all without
 # What the runs find interesting stays in build/fuzz/corpus, and they begin with it and with test/fuzz/corpus.
 # An input that fails is left in build/fuzz/failures, and the exit status is 1.
 set -euo pipefail
@@ -11,7 +11,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 seconds=${1:-60}
 shift || true
 formats=("$@")
-((${#formats[@]})) || formats=(obj off ply stl om glb gltf)
+((${#formats[@]})) || formats=(obj off ply stl om glb gltf soup)
 
 build=build/fuzz
 mkdir -p "$build"
@@ -22,16 +22,19 @@ cmake --build "$build" --target "${formats[@]/#/fuzz_}"
 
 failed=0
 mkdir -p "$build/failures"
-printf '%-6s %12s %8s %10s %8s\n' format executions corpus coverage result
+printf '%-6s %12s %8s %10s %8s\n' target executions corpus coverage result
 for format in "${formats[@]}"; do
   corpus=$build/corpus/$format
   log=$build/$format.log
   mkdir -p "$corpus"
   options=(-max_total_time="$seconds" -max_len=4096 -timeout=20 -rss_limit_mb=2048 -print_final_stats=1
            -artifact_prefix="$build/failures/$format-")
-  options+=(-dict="test/fuzz/dictionaries/${format/glb/gltf}.dict")
+  dictionary=test/fuzz/dictionaries/${format/glb/gltf}.dict
+  [[ ! -e $dictionary ]] || options+=(-dict="$dictionary")
+  kept=(test/fuzz/corpus/"$format")
+  [[ -e ${kept[0]} ]] || kept=()
   result=good
-  "$build/test/fuzz/fuzz_$format" "${options[@]}" "$corpus" "test/fuzz/corpus/$format" >"$log" 2>&1 || {
+  "$build/test/fuzz/fuzz_$format" "${options[@]}" "$corpus" "${kept[@]}" >"$log" 2>&1 || {
     result=FAILED
     failed=1
   }
