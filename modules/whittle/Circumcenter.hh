@@ -2,6 +2,7 @@
 /// VT, vertex triplex: triangles become points.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 

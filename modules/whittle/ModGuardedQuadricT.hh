@@ -2,8 +2,14 @@
 /// OpenMesh's error quadrics with the boundary held and no face turned over.
 #pragma once
 
-#include <Eigen/Geometry>
+// QuadricT.hh uses vector_traits without including it.
+// clang-format off
+#include <OpenMesh/Core/Utils/vector_traits.hh>
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
+// clang-format on
+#include <Eigen/Geometry>
+#include <OpenMesh/Core/Mesh/Handles.hh>
+#include <OpenMesh/Core/Utils/Property.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <cmath>
 #include <cstddef>

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 #include "whittle/Surface.hh"

@@ -16,6 +16,8 @@ using Guarded = ModGuardedQuadricT<Mesh>;
 template <typename Module, typename Setup>
 IndexedMesh to_faces(const IndexedMesh& in, std::size_t faces, Setup setup) {
   Mesh mesh = fixture::to_openmesh<Mesh>(in);
+  mesh.request_vertex_status();
+  mesh.request_edge_status();
   mesh.request_face_status();
   LazyDecimaterT<Mesh> decimater(mesh);
   typename Module::Handle handle;

@@ -14,7 +14,7 @@ mkdir scans
 } >scans/first.off
 for i in $(seq 30); do cp scans/first.off "scans/copy$i.off"; done
 
-seq 3 | HOME=$folder "$parallel" --jobs 3 \
+seq 3 | HOME=$folder "$parallel" -n0 --jobs 3 \
   "'$whittle' batch scans --out small --module ivdd:distance=0.1 --jobs 1 --resume --quiet"
 
 results=$(find small -name '*.off' | wc -l)
