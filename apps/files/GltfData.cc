@@ -104,11 +104,15 @@ bool GltfData::are_bytes(int accessor) const {
   return at(accessor).componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && at(accessor).normalized;
 }
 
-void GltfData::spend(const tinygltf::Accessor& accessor, std::size_t bytes_each) {
+void GltfData::charge(std::size_t count, std::size_t bytes_each) {
+  if (count > budget_ / bytes_each) throw Fault("the scene is too many times as large as the file");
+  budget_ -= count * bytes_each;
+}
+
+void GltfData::charge_values(const tinygltf::Accessor& accessor, std::size_t bytes_each) {
   // Without a view all values are zero, and nothing but their count is in the file.
   if (accessor.bufferView < 0 && accessor.count > file_bytes_) throw Fault("values that are not in the file");
-  if (accessor.count > budget_ / bytes_each) throw Fault("the scene is too many times as large as the file");
-  budget_ -= accessor.count * bytes_each;
+  charge(accessor.count, bytes_each);
 }
 
 GltfData::Run GltfData::run(long long view, std::size_t offset, std::size_t count,
@@ -136,7 +140,7 @@ std::vector<float> GltfData::floats(int index) {
   const tinygltf::Accessor& accessor = at(index);
   const std::size_t width = components_of(accessor.type);
   const std::size_t bytes = component_bytes(accessor.componentType);
-  spend(accessor, width * sizeof(float));
+  charge_values(accessor, width * sizeof(float));
   const Run values = run(accessor.bufferView, accessor.byteOffset, accessor.count, width * bytes);
   std::vector<float> result(accessor.count * width, 0.0F);
   for (std::size_t i = 0; values.begin != nullptr && i < accessor.count; ++i)
@@ -171,7 +175,7 @@ std::vector<std::uint32_t> GltfData::indices(int index) {
   if (accessor.type != TINYGLTF_TYPE_SCALAR || accessor.sparse.isSparse)
     throw Fault("indices that are not plain numbers");
   const std::size_t bytes = component_bytes(accessor.componentType);
-  spend(accessor, sizeof(std::uint32_t));
+  charge_values(accessor, sizeof(std::uint32_t));
   const Run values = run(accessor.bufferView, accessor.byteOffset, accessor.count, bytes);
   std::vector<std::uint32_t> result(accessor.count, 0);
   for (std::size_t i = 0; values.begin != nullptr && i < accessor.count; ++i)

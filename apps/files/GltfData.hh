@@ -28,6 +28,10 @@ class GltfData {
         file_bytes_(file_bytes),
         budget_((std::size_t{16} << 20) + 64 * file_bytes) {}
 
+  /// Takes bytes from what may be taken. Even a part of nothing takes time, and many nodes may show it.
+  /// \throw Fault  there are not so many left
+  void charge(std::size_t count, std::size_t bytes_each);
+
   /// How many values the accessor has.
   std::size_t count(int accessor) const;
 
@@ -51,7 +55,7 @@ class GltfData {
   };
 
   const tinygltf::Accessor& at(int accessor) const;
-  void spend(const tinygltf::Accessor& accessor, std::size_t bytes_each);
+  void charge_values(const tinygltf::Accessor& accessor, std::size_t bytes_each);
   Run run(long long view, std::size_t offset, std::size_t count, std::size_t value_bytes) const;
   void replace_sparse(const tinygltf::Accessor& accessor, std::vector<float>& values);
 

@@ -38,6 +38,8 @@ void turn_normals(std::vector<float>& normals, const Matrix4d& transform) {
 }  // namespace
 
 void GltfScene::add(const tinygltf::Primitive& primitive, const Matrix4d& transform) {
+  constexpr std::size_t bytes_of_a_part = 256;
+  data_.charge(1, bytes_of_a_part);
   const int mode = primitive.mode == -1 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
   if (mode == TINYGLTF_MODE_LINE || mode == TINYGLTF_MODE_LINE_LOOP || mode == TINYGLTF_MODE_LINE_STRIP) {
     builder_.ignore("lines");
