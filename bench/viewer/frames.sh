@@ -19,6 +19,7 @@ phase() {
 }
 turn=("drag left 0.3 0.5 0.7 0.6" "drag left 0.7 0.6 0.5 0.3" "scroll 0.5 0.5 3" "drag right 0.5 0.5 0.4 0.4")
 
+phase "start" wait
 phase "open, decimate, measure" "open '$model'" "shading smooth" wait
 phase "turn, zoom, pan: shaded" "${turn[@]}"
 phase "and come to rest" wait

@@ -61,6 +61,24 @@ TEST_CASE("a large mesh is sketched while it turns, and complete when it rests")
   CHECK(help["pictures"] == 0);
 }
 
+TEST_CASE(
+    "a picture that is asked for is drawn bit by bit, as it would be at once, and of what was seen then") {
+  const viewing::Display display;
+  files::write_mesh(display.folder / "torus.ply", meshes::torus(60, 40));
+  const auto at = [&](const char* name) { return "'" + display.folder / name + "'"; };
+  const auto outcome = display.view(
+      display.folder / "torus.ply",
+      "wait\nmodule ivdd:distance=1.3e\nheat on\nturn 20 10\nwait\npicture " + at("once.png") +
+          " 480x360\nask-picture " + at("bits.png") + " 480x360\nturn 90 0\nshading wires\nwait\npicture " +
+          at("later.png") + " 480x360\nask-picture /none/a.png 480x360\nwait\nexpect-error /none\nclose\n",
+      {"--frame-budget", "0.01"});
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const Image once = read_png(display.folder / "once.png"), bits = read_png(display.folder / "bits.png");
+  CHECK(difference(once, bits, 0, once.width) == 0);
+  CHECK(difference(once, read_png(display.folder / "later.png"), 0, once.width) > 0.05);
+}
+
 TEST_CASE("a run that takes long has a bar, which is gone when it is done") {
   const viewing::Display display;
   files::write_mesh(display.folder / "torus.ply", meshes::torus(150, 100));

@@ -56,6 +56,8 @@ constexpr Form kForms[] = {
     {"resize", "WIDTH HEIGHT", 2, 2, "resize the window"},
     {"screenshot", "FILE [WIDTHxHEIGHT]", 1, 2, "the whole window as PNG"},
     {"picture", "FILE [WIDTHxHEIGHT]", 1, 2, "the views alone as PNG"},
+    {"ask-picture", "FILE WIDTHxHEIGHT", 2, 2,
+     "the same as by the Picture button: goes on while it is drawn"},
     {"grab", "FILE", 1, 1, "the window's next frame as PNG, just as it is shown"},
     {"frame-times", "FILE", 1, 1, "how long the window was busy at a time since the last of these, as JSON"},
     {"numbers", "FILE", 1, 1, "the figures as JSON"},

@@ -264,11 +264,15 @@ std::optional<double> Session::part_done() const {
 
 void Session::begin_export(const std::string& path, bool ascii) {
   if (!outcome_) throw files::FileError(path + ": there is no result to write yet");
+  begin_write(path, [path, outcome = outcome_, ascii] { write_result(path, *outcome, ascii); });
+}
+
+void Session::begin_write(const std::string& path, std::function<void()> write) {
   if (writing()) throw files::FileError(path + ": another file is being written");
-  writer_.submit([this, path, outcome = outcome_, ascii](const Wanted&) {
+  writer_.submit([this, path, write = std::move(write)](const Wanted&) {
     Written written{path, {}};
     try {
-      write_result(path, *outcome, ascii);
+      write();
     } catch (const std::exception& error) {
       written.error = reason(error);
     }

@@ -93,6 +93,9 @@ class Session {
   void begin_export(const std::string& path, bool ascii);
   /// \}
 
+  /// Lets the same worker write another file. \throw FileError  it is still writing one.
+  void begin_write(const std::string& path, std::function<void()> write);
+
   std::deque<std::string> errors;  ///< for the user to see, the oldest first
 
  private:

@@ -16,11 +16,10 @@ namespace whittle::viewer {
 
 enum class Dialog { none, open, export_result, picture, load_recipe, save_recipe, help };
 
-/// A picture that somebody asked for.
+/// A picture of the views that somebody asked for.
 struct PictureRequest {
   std::string path;
   int width = 0, height = 0;
-  bool whole_window = false;  ///< with the panels
 };
 
 struct Ui {
@@ -64,7 +63,8 @@ void draw_toolbar(Ui& ui, const Rect& place);
 void draw_recipe_panel(Ui& ui, const Rect& place);
 void draw_numbers_panel(Ui& ui, const Rect& place);
 void draw_histograms(Ui& ui);
-void draw_over_views(Ui& ui);  ///< names, the split line, the legend, progress
+void draw_over_views(Ui& ui);  ///< names, the split line, the legend
+void draw_progress(Ui& ui);    ///< over the views, too
 void draw_dialogs(Ui& ui);
 /// \}
 

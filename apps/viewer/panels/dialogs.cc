@@ -76,7 +76,7 @@ void picture_dialog(Ui& ui) {
     ui.picture_height = std::clamp(size[1], 16, 16384);
   }
   if (decide(ui, "Write", enter)) {
-    ui.picture = PictureRequest{ui.path, ui.picture_width, ui.picture_height, false};
+    ui.picture = PictureRequest{ui.path, ui.picture_width, ui.picture_height};
     ui.dialog = Dialog::none;
   }
 }

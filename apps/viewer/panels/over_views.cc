@@ -156,8 +156,10 @@ void progress_bar(Ui& ui, ImVec2 right_top) {
                            static_cast<int>(height)};
 }
 
+}  // namespace
+
 /// What is under way, or a note on what was done.
-void progress(Ui& ui) {
+void draw_progress(Ui& ui) {
   const float margin = 14 * ui.scale, line = ImGui::GetFontSize();
   const ImVec2 corner(static_cast<float>(ui.area.x + ui.area.width) - margin,
                       static_cast<float>(ui.area.y + ui.area.height) - margin);
@@ -174,11 +176,9 @@ void progress(Ui& ui) {
   if (!text.empty()) label({corner.x, corner.y - line}, text, ui.scale, 1);
 }
 
-}  // namespace
-
 void draw_over_views(Ui& ui) {
   if (!ui.session.model()) {
-    if (ui.session.loading()) return progress(ui);
+    if (ui.session.loading()) return;
     return label({static_cast<float>(ui.area.x) + 0.5f * static_cast<float>(ui.area.width),
                   static_cast<float>(ui.area.y) + 0.48f * static_cast<float>(ui.area.height)},
                  "Drop a mesh here: OBJ, PLY, OFF or STL", ui.scale, 0.5f);
@@ -188,7 +188,6 @@ void draw_over_views(Ui& ui) {
   captions(ui);
   legend(ui);
   plan_caption(ui);
-  progress(ui);
 }
 
 }  // namespace whittle::viewer

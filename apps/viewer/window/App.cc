@@ -26,12 +26,12 @@ double milliseconds() {
   return std::chrono::duration<double, std::milli>(now).count();
 }
 
+}  // namespace
+
 double when_drawn() {
   glFinish();
   return milliseconds();
 }
-
-}  // namespace
 
 App::App(Window& window, Session& session, Settings& settings, View view, double budget)
     : window_(window),
@@ -51,6 +51,7 @@ App::App(Window& window, Session& session, Settings& settings, View view, double
 }
 
 App::~App() {
+  shot_.reset();
   timing_ = {};
   views_.reset();
   scene_.reset();
@@ -104,7 +105,7 @@ void App::step(double longest_wait) {
 }
 
 bool App::has_more_to_draw() const {
-  return frames_due_ > 0 || pointer_.moving() || (views_ && !views_->complete()) ||
+  return frames_due_ > 0 || pointer_.moving() || shot_ || (views_ && !views_->complete()) ||
          (session_.settled() && timing_.wanting(*scene_));
 }
 
@@ -170,6 +171,8 @@ bool App::paint_views() {
 void App::work_on() {
   if (views_ && !views_->complete()) {
     if (paint_views()) frames_due_ = 1;
+  } else if (shot_) {
+    go_on_with_shot();
   } else if (session_.settled() && timing_.wanting(*scene_)) {
     timing_.advance(*scene_, session_, when_drawn);
     if (!timing_.wanting(*scene_)) frames_due_ = 1;  // to say what came out
@@ -209,6 +212,7 @@ void App::lay_out(int width, int height, bool panels) {
     if (panels) place_panels(io.DisplaySize.x, io.DisplaySize.y);
     draw_over_views(ui_);
     if (panels) {
+      draw_progress(ui_);
       draw_dialogs(ui_);
       handle_mouse(ui_);
     }
@@ -232,8 +236,7 @@ void App::keep_framed() {
 
 render::Image App::picture(int width, int height, bool whole_window) {
   const render::Framebuffer framebuffer(width, height);
-  for (int i = 0; i < 3; ++i)
-    lay_out(width, height, whole_window);  // panels find their sizes over some frames
+  for (int i = 0; i < kLayouts; ++i) lay_out(width, height, whole_window);
   paint_whole(*scene_, session_, sight(session_, *scene_, view_, ui_.area, ui_.scale), ui_.area, framebuffer);
   framebuffer.bind();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -242,9 +245,11 @@ render::Image App::picture(int width, int height, bool whole_window) {
 }
 
 void App::write_picture(const std::string& path, int width, int height, bool whole_window) {
-  const std::string caption =
-      session_.model() ? command_text(session_.recipe(), session_.model()->path, "OUT") : "";
-  files::write_file(path, render::encode_png(picture(width, height, whole_window), caption));
+  files::write_file(path, render::encode_png(picture(width, height, whole_window), picture_caption()));
+}
+
+std::string App::picture_caption() const {
+  return session_.model() ? command_text(session_.recipe(), session_.model()->path, "OUT") : "";
 }
 
 void App::serve_requests() {
@@ -252,8 +257,7 @@ void App::serve_requests() {
   const auto request = std::exchange(ui_.picture, std::nullopt);
   if (!request) return;
   try {
-    write_picture(request->path, request->width, request->height, request->whole_window);
-    ui_.say("Written: " + request->path);
+    begin_shot(*request, view_);
   } catch (const std::exception& error) {
     session_.errors.push_back(error.what());
   }

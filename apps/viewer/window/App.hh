@@ -18,6 +18,9 @@
 
 namespace whittle::viewer {
 
+/// Waits until all is drawn, and tells the time in milliseconds.
+double when_drawn();
+
 class App {
  public:
   /// \param view    what is seen first.
@@ -58,6 +61,21 @@ class App {
   void serve_requests();
   void follow_scale();
   void write_picture(const std::string& path, int width, int height, bool whole_window);
+  std::string picture_caption() const;  ///< the command that makes what is seen; empty without a model
+
+  /// A picture that is being drawn between the frames.
+  struct Shot {
+    PictureRequest request;
+    View view;  ///< when it was asked for
+    Sight sight;
+    render::Framebuffer canvas;
+    Painting painting;
+  };
+  void begin_shot(const PictureRequest& request, View view);
+  void go_on_with_shot();
+  void finish_shot();
+  /// Lays out the views alone as `view` shows them, its camera framed if need be; the window's is left alone.
+  void lay_out_picture(View& view, int width, int height);
 
   /// Does commands of the script until one needs more frames.
   void follow_script();
@@ -67,6 +85,8 @@ class App {
   void write_frame_times(const std::string& path);
   void write_places(const std::string& path) const;
 
+  static constexpr int kLayouts = 3;  ///< panels find their sizes over some frames
+
   Window& window_;
   Session& session_;
   Settings& settings_;
@@ -75,6 +95,7 @@ class App {
   Ui ui_;
   std::optional<Scene> scene_;
   std::optional<Views> views_;
+  std::optional<Shot> shot_;
   FrameTiming timing_;
   Pointer pointer_;
   std::deque<Command> script_;

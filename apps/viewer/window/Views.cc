@@ -5,8 +5,6 @@
 namespace whittle::viewer {
 namespace {
 
-constexpr int kPictureSamples = 4;
-
 bool fits(const std::optional<render::Framebuffer>& framebuffer, int width, int height) {
   return framebuffer && framebuffer->width() == width && framebuffer->height() == height;
 }

@@ -57,6 +57,8 @@ class Views {
   std::size_t sketches_ = 0, pictures_ = 0;
 };
 
+constexpr int kPictureSamples = 4;  ///< for each pixel of a picture that is written
+
 /// Draws a picture at once and whole into a framebuffer of this height, with one sample a pixel.
 /// \throw RenderError  it is too large.
 void paint_whole(Scene& scene, const Session& session, const Sight& sight, const Rect& area,

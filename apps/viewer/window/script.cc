@@ -125,6 +125,11 @@ bool App::do_window_command(const Command& command) {
       if (words.size() > 1 && std::sscanf(words[1].c_str(), "%dx%d", &width, &height) != 2)
         command.fail("'" + words[1] + "' is not WIDTHxHEIGHT");
       write_picture(words[0], width, height, command.name == "screenshot");
+    } else if (command.name == "ask-picture") {
+      PictureRequest request{words[0]};
+      if (std::sscanf(words[1].c_str(), "%dx%d", &request.width, &request.height) != 2)
+        command.fail("'" + words[1] + "' is not WIDTHxHEIGHT");
+      ui_.picture = request;
     } else if (command.name == "expect-error") {
       if (session_.errors.empty()) command.fail("there is no message");
       if (session_.errors.front().find(words[0]) == std::string::npos)
