@@ -92,7 +92,8 @@ TEST_CASE("the guard of the guarded quadric judges by the mesh at the beginning"
 TEST_CASE("weights keep detail where they are high") {
   const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
   const auto left_of_zero = [](const IndexedMesh& m) {
-    return double(std::count_if(m.points.begin(), m.points.end(), [](const auto& p) { return p.x() < 0; }));
+    return double(std::count_if(m.triangles.begin(), m.triangles.end(),
+                                [&](const auto& t) { return m.points[t[0]].x() < 0; }));
   };
   const auto plain = to_faces<Guarded>(mesh, 600, as_it_is);
   const auto weighted = to_faces<Guarded>(mesh, 600, [](Mesh& om, Guarded& module) {
