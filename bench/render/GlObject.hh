@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -36,6 +37,11 @@ class GlObject {
  private:
   GLuint name_;
 };
+
+/// A place in a bound buffer, as OpenGL wants to be told it.
+inline const void* buffer_offset(std::size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
 
 struct BufferKind {
   static GLuint create() {

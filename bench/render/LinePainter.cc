@@ -109,8 +109,7 @@ void PointBuffer::draw(GLenum mode, Part part) const {
   glBindVertexArray(vertex_array_.name());
   const auto count = static_cast<GLsizei>(part.of(size_));
   if (indexed_)
-    glDrawElements(mode, count, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)));
+    glDrawElements(mode, count, GL_UNSIGNED_INT, buffer_offset(part.first * sizeof(std::uint32_t)));
   else
     glDrawArrays(mode, static_cast<GLint>(part.first), count);
 }

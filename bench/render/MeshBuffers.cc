@@ -61,7 +61,7 @@ MeshBuffers::MeshBuffers(const MeshArrays& arrays, const std::vector<IndexedMesh
 void MeshBuffers::draw(Part part) const {
   glBindVertexArray(vertex_array_.name());
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * part.of(triangles_)), GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(part.first * sizeof(IndexedMesh::Triangle)));
+                 buffer_offset(part.first * sizeof(IndexedMesh::Triangle)));
 }
 
 }  // namespace whittle::render

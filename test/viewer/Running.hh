@@ -26,6 +26,7 @@ class Running {
     arguments.insert(arguments.begin(), WHITTLE_VIEWER_PROGRAM);
     arguments.insert(arguments.end(), {"--script", display.folder / "script.txt"});
     std::vector<char*> pointers;
+    pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
     child_ = fork();

@@ -50,7 +50,7 @@ void Comparer::add_heat(const Outcome& outcome, measure::Watch& watch, Compariso
   comparison.heat_top = quantile(comparison.result_heat, 0.995);
 }
 
-std::shared_ptr<const Comparison> Comparer::compare(std::shared_ptr<const Outcome> outcome,
+std::shared_ptr<const Comparison> Comparer::compare(const std::shared_ptr<const Outcome>& outcome,
                                                     const measure::Monitor& monitor) {
   auto comparison = std::make_shared<Comparison>();
   comparison->outcome = outcome;

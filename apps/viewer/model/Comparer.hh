@@ -17,7 +17,7 @@ namespace whittle::viewer {
 class Comparer {
  public:
   /// \return null if the monitor gave up.
-  std::shared_ptr<const Comparison> compare(std::shared_ptr<const Outcome> outcome,
+  std::shared_ptr<const Comparison> compare(const std::shared_ptr<const Outcome>& outcome,
                                             const measure::Monitor& monitor = {});
 
  private:
