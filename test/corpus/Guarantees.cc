@@ -50,7 +50,6 @@ std::string broken(const Counted& before, const Counted& taken, const recipe::Re
   check(after.faces <= old.faces, "more faces");
   check(after.nonmanifold_edges <= old.nonmanifold_edges, "non-manifold edges");
   check(after.nonmanifold_vertices <= old.nonmanifold_vertices, "non-manifold vertices");
-  check(after.degenerate_faces <= old.degenerate_faces, "degenerate faces");
   check(after.duplicate_faces <= old.duplicate_faces, "duplicate faces");
   check(result.flipped_faces == 0, "flipped faces");
   check(after.euler_characteristic == old.euler_characteristic, "Euler characteristic");

@@ -54,7 +54,9 @@ std::string failure(const Case& c, const files::MeshFile& in, const corpus::Coun
   try {
     const auto result = recipe::run(in.mesh, recipe, {}, {{}, {}, &in.attributes});
     least = std::min(least, result.mesh.triangles.size());
-    return corpus::broken(before, taken, recipe, result);
+    const std::string what = corpus::broken(before, taken, recipe, result);
+    const bool is_thin = measure::facts(result.mesh).degenerate_faces > before.facts.degenerate_faces;
+    return what.empty() && is_thin ? "faces without area" : what;
   } catch (const std::exception& error) {
     return error.what();
   }
