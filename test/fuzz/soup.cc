@@ -2,7 +2,7 @@
 /// A fuzz target: planners and executors on any triangle soup.
 ///
 /// The first bytes choose module, target, driver and retriangulation, the others are points and triangles.
-/// Every guarantee must hold, and with every driver a mesh that OpenMesh can take becomes the same.
+/// Every guarantee must hold, and with every driver a closed manifold mesh becomes the same.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -88,10 +88,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   recipe.driver = driver;
   const recipe::Result driven = recipe::run(mesh, recipe);
   require(corpus::broken(before, taken, recipe, driven));
-  const bool draws = driver == recipe::Driver::mc;
-  if (has_plan && !draws && result.refused_faces + driven.refused_faces == 0 &&
-      (driven.vertex_map != result.vertex_map ||
-       driven.mesh.triangles.size() != result.mesh.triangles.size()))
+  // At boundaries OpenMesh refuses a little more, as the tip of an ear; and mc draws.
+  const bool does_all = has_plan && driver != recipe::Driver::mc && before.facts.closed() &&
+                        before.facts.nonmanifold_vertices == 0 && driven.refused_faces == 0;
+  if (does_all && (driven.vertex_map != result.vertex_map ||
+                   driven.mesh.triangles.size() != result.mesh.triangles.size()))
     require(recipe::to_string(driver) + " does not do what bulk does");
   return 0;
 }
