@@ -117,12 +117,45 @@ TEST_CASE("a session may end in the middle of its work") {
 
 TEST_CASE("what is exported is what was measured") {
   Opened opened;
-  for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
-    opened.session.export_result(opened.folder / name, false);
-    const auto file = files::read_mesh(opened.folder / name);
+  for (const std::string& extension : files::writable_extensions()) {
+    const std::string path = opened.folder / ("a" + extension);
+    opened.session.export_result(path, false);
+    const auto file = files::read_mesh(path);
     CHECK(file.mesh.triangles.size() == opened.session.outcome()->mesh().triangles.size());
   }
   CHECK_THROWS_AS(opened.session.export_result(opened.folder / "a.xyz", false), files::FileError);
+}
+
+TEST_CASE("attributes live through a recipe as on the command line, and what a format cannot take is said") {
+  const programs::Folder folder;
+  const IndexedMesh torus = meshes::torus(40, 24);
+  attributes::Attribute colours;
+  colours.kind = attributes::Kind::colour;
+  colours.components = 3;
+  for (const auto& p : torus.points)
+    for (const float x : {p.x() > 0 ? 1.0f : 0.0f, 0.5f, 0.25f}) colours.values.push_back(x);
+  files::write_mesh(folder / "torus.ply", torus, {}, {colours});
+  Session session;
+  session.open(folder / "torus.ply");
+  settle(session);
+
+  session.begin_export(folder / "a.ply", false);
+  settle(session);
+  const auto read = files::read_mesh(folder / "torus.ply");
+  const auto wanted = recipe::run(read.mesh, session.recipe(), {}, {{}, {}, &read.attributes});
+  const auto file = files::read_mesh(folder / "a.ply");
+  REQUIRE(file.attributes.size() == 1);
+  REQUIRE(wanted.attributes.size() == 1);
+  CHECK(file.attributes[0].values == wanted.attributes[0].values);
+
+  session.begin_export(folder / "a.stl", false);
+  std::vector<std::string> left_out;
+  while (!session.settled()) {
+    const News news = session.poll();
+    if (!news.written.empty()) left_out = news.left_out;
+  }
+  CHECK(std::any_of(left_out.begin(), left_out.end(),
+                    [](const std::string& line) { return line.find("colour") != std::string::npos; }));
 }
 
 TEST_CASE("a result is exported by a worker, which says when it is done and what went wrong") {
