@@ -230,10 +230,11 @@ TEST_CASE("commands change session and view") {
     for (const Command& command : parse_script(text, "s")) CHECK(perform(command, opened.session, view, 1));
   };
   perform_all(
-      "module vt\nadd fad:angle=30\nmove 2 1\nset 1 angle 40\ntarget ratio 0.5\ndriver sweep\ndelaunay 20\n");
+      "module vt\nadd fad:angle=30\nmove 2 1\nset 1 angle 40\ntarget ratio 0.5\ndriver sweep\ndelaunay "
+      "20\nbound 0.5%\n");
   CHECK(options_text(opened.session.recipe()) ==
-        "--module fad:angle=40 --module vt --ratio 0.5 --delaunay 20 --driver sweep");
-  perform_all("remove 2\ntarget none\ndelaunay off\ndriver auto\nundo\nredo\n");
+        "--module fad:angle=40 --module vt --ratio 0.5 --max-distance 0.5% --delaunay 20 --driver sweep");
+  perform_all("remove 2\ntarget none\ndelaunay off\nbound off\ndriver auto\nundo\nredo\n");
   CHECK(options_text(opened.session.recipe()) == "--module fad:angle=40");
   perform_all(
       "layout split\nshading flat\nheat on\nheat-top 0.5\nedges feature on\nfeature-angle 50\nsplit "
