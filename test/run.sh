@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The whole check: packages, test models, formatting, then build and tests, plain and under the sanitizers.
-#   test/run.sh [--no-setup] [--quick]
+#   test/run.sh [--no-setup] [--quick|--thread]
 # --no-setup  leave out bootstrap.sh and the download of the bunny
 # --quick     leave out the sanitizers
+# --thread    under the thread sanitizer instead, which the plain run leaves out
 set -euo pipefail
 
 setup=1
@@ -11,8 +12,9 @@ for option in "$@"; do
   case $option in
     --no-setup) setup=0 ;;
     --quick) presets=(release) ;;
+    --thread) presets=(tsan) ;;
     *)
-      echo "usage: test/run.sh [--no-setup] [--quick]" >&2
+      echo "usage: test/run.sh [--no-setup] [--quick|--thread]" >&2
       exit 2
       ;;
   esac
@@ -40,6 +42,7 @@ echo "test/run.sh: ${#existing[@]} sources are formatted"
 
 # Mesa keeps memory until the process ends; everything else that leaks is an error.
 export LSAN_OPTIONS="suppressions=$PWD/test/lsan.supp:print_suppressions=0"
+export TSAN_OPTIONS="suppressions=$PWD/test/tsan.supp"
 for preset in "${presets[@]}"; do
   step="$preset: configure"
   cmake --preset "$preset"

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/Fault.hh"
+#include "files/GltfParser.hh"
 #include "files/gltf_nodes.hh"
 
 namespace whittle::files {
@@ -49,11 +50,7 @@ class Filter {
  public:
   explicit Filter(MeshBuilder& builder) : builder_(builder) {}
 
-  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
-    if (event != Json::parse_event_t::key) return true;
-    const auto& key = parsed.get_ref<const std::string&>();
-    return depth == 1 ? enter(key) : is_read(key);
-  }
+  bool operator()(int depth, const std::string& key) { return depth == 1 ? enter(key) : is_read(key); }
 
  private:
   bool enter(const std::string& key) {
@@ -78,13 +75,12 @@ class Filter {
 
 Json parse(std::string_view text, MeshBuilder& builder) {
   check_depth(text);
-  Filter filter(builder);
-  const auto callback = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    return filter(depth, event, parsed);
-  };
+  GltfParser parser{Filter(builder)};
   try {
-    Json json = Json::parse(text.begin(), text.end(), callback);
-    if (json.is_object()) return json;
+    if (Json::sax_parse(text.begin(), text.end(), &parser)) {
+      Json json = parser.take();
+      if (json.is_object()) return json;
+    }
   } catch (const Json::exception&) {
     // What it says would take more than a line.
   }

@@ -216,8 +216,10 @@ void decimate(Decimater& decimater, const Mesh&, const Floor& floor, const Halt&
 }
 
 /// McDecimaterT draws half-edges with rand() and gives up after some 200 misses in a row, long before a plan
-/// is done; so it is started again until a whole run finds nothing.
+/// is done; so it is started again until a whole run finds nothing. From no half-edges at all it draws one
+/// none the less.
 void decimate(om::McDecimaterT<Mesh>& decimater, const Mesh& mesh, const Floor& floor, const Halt& halt) {
+  if (mesh.n_halfedges() == 0) return;
   std::srand(1);
   if (floor.any())
     decimater.decimate_to_faces(floor.vertices, floor.faces);

@@ -97,7 +97,8 @@ class MemorylessQuadricRun {
     queue_.push(c, bucket);
   }
 
-  std::vector<std::uint32_t> input_;  // what each vertex is called in the input
+  std::vector<std::uint32_t> input_;       // what each vertex is called in the input
+  std::vector<std::uint32_t> input_face_;  // the same of each face, where its normal there is given
   CornerTable table_;
   std::vector<Vertex> vertices_;
   std::vector<SymmetricMatrix> quadrics_;
@@ -116,7 +117,7 @@ class MemorylessQuadricRun {
 template <typename Real>
 MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
                                            float min_cos, std::size_t n_threads)
-    : MemorylessQuadricRun(MortonOrder(mesh), min_cos, n_threads) {
+    : MemorylessQuadricRun(MortonOrder(mesh, !extras.reference_normals.empty()), min_cos, n_threads) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL), high = -low;
   for (const auto& p : mesh.points) {
     low = low.cwiseMin(p.template cast<double>());
@@ -132,10 +133,15 @@ MemorylessQuadricRun::MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const
   }
   if (!extras.tolerance.empty()) set_weights(extras.tolerance);
   sum_quadrics();
+  for (std::size_t f = 0; f < input_face_.size(); ++f) {
+    const Eigen::Vector3d& normal = extras.reference_normals[input_face_[f]];
+    table_.face(static_cast<Corner>(4 * f)).normal = PackedNormal(normal.stableNormalized().cast<float>());
+  }
 }
 
 inline MemorylessQuadricRun::MemorylessQuadricRun(MortonOrder order, float min_cos, std::size_t n_threads)
     : input_(std::move(order.vertex)),
+      input_face_(std::move(order.face)),
       vertices_(input_.size()),
       quadrics_(input_.size()),
       holds_(input_.size(), kFree),

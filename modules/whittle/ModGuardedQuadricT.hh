@@ -11,6 +11,7 @@
 #include <OpenMesh/Core/Mesh/Handles.hh>
 #include <OpenMesh/Core/Utils/Property.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -112,6 +113,12 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     return quadric;
   }
 
+  /// Whether a triangle has no area to speak of: its normal is rounding.
+  static bool is_flat(double twice_area, const Vector& a, const Vector& b, const Vector& c) {
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    return !(twice_area > 4e-12 * longest);
+  }
+
   void add_face(typename MeshT::FaceHandle f);
   void add_boundary(HalfedgeHandle outside);
   bool turns_a_face(const CollapseInfo& ci) const;
@@ -152,7 +159,7 @@ void ModGuardedQuadricT<MeshT>::add_face(typename MeshT::FaceHandle f) {
   const double twice_area = normal.norm();
   if (!(twice_area > std::numeric_limits<double>::min())) return;
   normal /= twice_area;
-  normals_[index(f)] = normal;
+  if (!is_flat(twice_area, point(a), point(b), point(c))) normals_[index(f)] = normal;
   const Quadric quadric = plane(point(a), normal, twice_area / 2);
   for (const VertexHandle v : {a, b, c}) quadrics_[index(v)] += quadric;
 }
@@ -183,7 +190,8 @@ bool ModGuardedQuadricT<MeshT>::turns_a_face(const CollapseInfo& ci) const {
     const Vector normal = (b - target).cross(c - target);
     const Vector& before = normals_[index(f)];
     if (before.isZero(0)) continue;
-    if (!(normal.dot(before) > min_cos_ * normal.norm())) return true;
+    const double length = normal.norm();
+    if (!(normal.dot(before) > min_cos_ * length) || is_flat(length, target, b, c)) return true;
   }
   return false;
 }

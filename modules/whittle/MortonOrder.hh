@@ -19,9 +19,10 @@ namespace whittle {
 struct MortonOrder {
   std::vector<std::uint32_t> vertex;                    ///< new index to old
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in new indices
+  std::vector<std::uint32_t> face;                      ///< new index to old, where asked for
 
   template <typename Real>
-  explicit MortonOrder(const IndexedMeshT<Real>& mesh);
+  explicit MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces = false);
 
  private:
   /// Ten bits, each three places from the next.
@@ -34,7 +35,7 @@ struct MortonOrder {
 };
 
 template <typename Real>
-MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh) {
+MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces) {
   const std::size_t n = mesh.points.size();
   if (n == 0) return;
   Eigen::Matrix<Real, 3, 1> low = mesh.points[0], high = low;
@@ -73,8 +74,13 @@ MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh) {
   for (const auto& t : mesh.triangles) ++start[smallest(t) + 1];
   for (std::size_t v = 1; v <= n; ++v) start[v] += start[v - 1];
   triangles.resize(mesh.triangles.size());
-  for (const auto& t : mesh.triangles)
-    triangles[start[smallest(t)]++] = {place[t[0]], place[t[1]], place[t[2]]};
+  if (with_faces) face.resize(mesh.triangles.size());
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const auto& t = mesh.triangles[f];
+    const std::uint32_t at = start[smallest(t)]++;
+    triangles[at] = {place[t[0]], place[t[1]], place[t[2]]};
+    if (with_faces) face[at] = static_cast<std::uint32_t>(f);
+  }
 }
 
 }  // namespace whittle

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the fuzz targets with clang and runs each for some time, one after the other.
 #   test/fuzz/run.sh [SECONDS] [TARGET ...]
-# SECONDS  for each target; 60 without
+# SECONDS  for each target, by the clock; 60 without. The table says how much of that the processor was at it
 # TARGET   a reader, obj off ply stl om glb gltf, or soup, all planners and executors on any triangles; all without
 # What the runs find interesting stays in build/fuzz/corpus, and they begin with it and with test/fuzz/corpus.
 # An input that fails is left in build/fuzz/failures, and the exit status is 1.
@@ -22,7 +22,8 @@ cmake --build "$build" --target "${formats[@]/#/fuzz_}"
 
 failed=0
 mkdir -p "$build/failures"
-printf '%-6s %12s %8s %10s %8s\n' target executions corpus coverage result
+TIMEFORMAT='%U %S'
+printf '%-6s %8s %12s %8s %10s %8s\n' target 'CPU s' executions corpus coverage result
 for format in "${formats[@]}"; do
   corpus=$build/corpus/$format
   log=$build/$format.log
@@ -34,13 +35,14 @@ for format in "${formats[@]}"; do
   kept=(test/fuzz/corpus/"$format")
   [[ -e ${kept[0]} ]] || kept=()
   result=good
-  "$build/test/fuzz/fuzz_$format" "${options[@]}" "$corpus" "${kept[@]}" >"$log" 2>&1 || {
+  { time "$build/test/fuzz/fuzz_$format" "${options[@]}" "$corpus" "${kept[@]}" >"$log" 2>&1; } 2>"$build/time" || {
     result=FAILED
     failed=1
   }
+  cpu=$(awk '{print int($1 + $2)}' "$build/time")
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   coverage=$(sed -n 's/.* cov: \([0-9]*\).*/\1/p' "$log" | tail -n 1)
-  printf '%-6s %12s %8s %10s %8s\n' "$format" "${executions:-?}" "$(find "$corpus" -type f | wc -l)" \
+  printf '%-6s %8s %12s %8s %10s %8s\n' "$format" "$cpu" "${executions:-?}" "$(find "$corpus" -type f | wc -l)" \
     "${coverage:-?}" "$result"
 done
 ((failed == 0)) || echo "test/fuzz/run.sh: FAILED: see $build/*.log and $build/failures" >&2

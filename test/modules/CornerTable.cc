@@ -140,13 +140,15 @@ TEST_CASE("a bucket queue goes up by quarters of an octave, and first in, first 
 
 TEST_CASE("Morton order renumbers and loses nothing") {
   const IndexedMesh mesh = meshes::shaken(meshes::torus(24, 14), 0.02, 1);
-  const MortonOrder order(mesh);
+  const MortonOrder order(mesh, true);
   std::vector<std::uint32_t> vertices = order.vertex;
   std::sort(vertices.begin(), vertices.end());
   for (std::uint32_t v = 0; v < vertices.size(); ++v) REQUIRE(vertices[v] == v);
   std::vector<Rings::Triangle> faces = order.triangles, expected = mesh.triangles;
   for (auto& t : faces)
     for (std::uint32_t& v : t) v = order.vertex[v];
+  REQUIRE(order.face.size() == faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) REQUIRE(faces[f] == mesh.triangles[order.face[f]]);
   std::sort(faces.begin(), faces.end());
   std::sort(expected.begin(), expected.end());
   REQUIRE(faces == expected);

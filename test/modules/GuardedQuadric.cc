@@ -89,6 +89,24 @@ TEST_CASE("the guard of the guarded quadric judges by the mesh at the beginning"
   CHECK(least > 0.4999f);
 }
 
+TEST_CASE("the guarded quadric leaves no face without area, be it of the right side") {
+  IndexedMesh fan;
+  for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{
+           {1.2, 0.8}, {0, 0}, {1, 0}, {2, 1e-13}, {2, 2}, {0, 2}})
+    fan.points.emplace_back(x, y, 0);
+  for (std::uint32_t i = 1; i <= 5; ++i) fan.triangles.push_back({0, i, i % 5 + 1});
+  Mesh mesh = fixture::to_openmesh<Mesh>(fan);
+  Guarded module(mesh);
+  module.initialize();
+  const auto is_legal = [&](int onto) {
+    const auto h = mesh.find_halfedge(Mesh::VertexHandle(0), Mesh::VertexHandle(onto));
+    return module.collapse_priority(OpenMesh::Decimater::CollapseInfoT<Mesh>(mesh, h)) !=
+           Guarded::ILLEGAL_COLLAPSE;
+  };
+  CHECK_FALSE(is_legal(1));  // 1, 2 and 3 all but lie on a line
+  CHECK(is_legal(4));
+}
+
 TEST_CASE("weights keep detail where they are high") {
   const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
   const auto left_of_zero = [](const IndexedMesh& m) {

@@ -63,6 +63,26 @@ TEST_CASE("mq goes by vertices, too") {
   CHECK(bulk(planner, meshes::torus(48, 24)).mesh.points.size() == 200);
 }
 
+TEST_CASE("mq judges faces by the normals that it is given") {
+  const IndexedMesh grid = meshes::flat_grid(8);
+  for (const double up : {1e-30, -1e-30}) {  // any length will do
+    SurfaceExtras extras;
+    extras.reference_normals.assign(grid.triangles.size(), {0, 0, up});
+    CHECK(down_to(20).plan(SurfaceT<double>(grid, extras)).collapses.empty() == (up < 0));
+    // Of two neighbours' places the one that is looked down upon stays as it is.
+    for (std::size_t f = 0; f < grid.triangles.size() / 2; ++f) extras.reference_normals[f] *= -1;
+    const CollapsePlan half = down_to(0).plan(SurfaceT<double>(grid, extras));
+    CHECK_FALSE(half.collapses.empty());
+    const auto left = execute(half, grid);
+    const bool first_half = up > 0;
+    for (std::size_t f = 0; f < left.face_origin.size(); ++f) {
+      if ((left.face_origin[f] < grid.triangles.size() / 2) != first_half) continue;
+      const auto &now = left.mesh.triangles[f], &then = grid.triangles[left.face_origin[f]];
+      for (int k = 0; k < 3; ++k) CHECK(left.mesh.points[now[k]] == grid.points[then[k]]);
+    }
+  }
+}
+
 TEST_CASE("mq keeps a flat square a flat square") {
   const IndexedMesh grid = meshes::flat_grid(30);  // 1682 faces over 29 x 29
   const auto out = bulk(down_to(60), grid);

@@ -183,7 +183,7 @@ TEST_CASE("the Delaunay retriangulation comes last and moves no vertex") {
 TEST_CASE("a mesh without faces goes through unchanged") {
   IndexedMesh mesh;
   mesh.points.emplace_back(1, 2, 3);
-  for (const Driver driver : {Driver::bulk, Driver::sweep, Driver::decimater}) {
+  for (const Driver driver : {Driver::bulk, Driver::sweep, Driver::lazy, Driver::decimater, Driver::mc}) {
     const Result result = run(mesh, make({"ivdd:distance=1"}, driver));
     CHECK(result.mesh.points.size() == 1);
     CHECK(result.target_reached);
