@@ -66,7 +66,7 @@ CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<Real>& mesh, con
   run.run(target_faces, target_vertices);
   CollapsePlan plan = run.take();
   for (Collapse& collapse : plan.collapses)  // what is held stays just where it is, not where its float is
-    if ((extras.flags[collapse.to] & MemorylessQuadricRun::kHeld) != 0)
+    if ((extras.flags[collapse.to] & MemorylessQuadricMesh::kHeld) != 0)
       collapse.target = mesh.points[collapse.to].template cast<double>();
   return plan;
 }
