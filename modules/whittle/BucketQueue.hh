@@ -49,9 +49,7 @@ class BucketQueue {
     while (bucket < kBuckets && size(bucket) == 0) ++bucket;
     return bucket;
   }
-  std::size_t size(std::size_t bucket) const {
-    return buckets_[bucket].size() - (bucket == at_ ? read_ : 0);
-  }
+  std::size_t size(std::size_t bucket) const { return buckets_[bucket].size() - (bucket == at_ ? read_ : 0); }
 
   std::size_t bucket() const { return at_; }  ///< the one that the last item came from
 

@@ -37,7 +37,7 @@ class CornerTable {
   struct Face {
     std::array<std::uint32_t, 3> vertex;  ///< kDead in the first of a face that has vanished
     std::array<Corner, 3> twin;  ///< of the half-edge that starts at each corner; kNoCorner at a boundary
-    std::uint16_t queued;        ///< a bit for each half-edge, for the planner's use
+    std::uint16_t queued;        ///< a bit for each half-edge, for the planner's use; three more: `is_line`
     std::uint16_t part;          ///< of the mesh, for the planner's use
     PackedNormal normal;         ///< in the input
   };
@@ -56,6 +56,10 @@ class CornerTable {
   bool is_dead(Corner c) const { return face(c).vertex[0] == kDead; }
   std::uint32_t vertex(Corner c) const { return face(c).vertex[c & 3]; }
   Corner twin(Corner c) const { return face(c).twin[c & 3]; }
+
+  /// Whether somebody has marked this half-edge.
+  bool is_line(Corner c) const { return (face(c).queued >> (3 + (c & 3)) & 1) != 0; }
+  void set_line(Corner c) { face(c).queued |= static_cast<std::uint16_t>(8u << (c & 3)); }
 
   /// A corner of a vertex; at the boundary the first. kNoCorner where it has no ring.
   Corner first(std::uint32_t v) const { return first_[v]; }

@@ -1,5 +1,5 @@
 /// \file
-/// How mq judges a collapse, and what it changes.
+/// How mq places and judges a collapse, and what it changes.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,6 +17,35 @@
 #include "whittle/SymmetricMatrix.hh"
 
 namespace whittle {
+
+/// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
+/// slight pull to the middle that decides where the planes leave a direction open.
+inline auto MemorylessQuadricMesh::best_place(Corner c) const -> Placement {
+  const std::uint32_t a = table_.vertex(c), b = table_.vertex(next(c));
+  SymmetricMatrix at_a = quadrics_[a], at_b = quadrics_[b];
+  const Vec e = vertices_[b].position - vertices_[a].position;
+  if (!values_.empty()) {
+    at_a += values_.along(a, b, e, a);
+    at_b += values_.along(a, b, e, b);
+  }
+  const Vec pull_b = at_b * e;
+  if (holds_[a] == kFixed) return {Vec::Zero(), std::max(0.0f, e.dot(pull_b))};
+  if (holds_[b] == kFixed) return {e, std::max(0.0f, e.dot(at_a * e))};
+  const SymmetricMatrix sum = at_a + at_b;
+  const float pull = 1e-5f * sum.trace();
+  const Vec middle = e / 2;
+  const Vec u = (sum + SymmetricMatrix::identity(pull)).solve(pull_b + pull * middle);
+  if ((u - middle).squaredNorm() <= 4 * e.squaredNorm())
+    return {u, std::max(0.0f, (e - u).dot(pull_b) - pull * u.dot(u - middle))};
+  return {middle, std::max(0.0f, middle.dot(sum * middle))};
+}
+
+inline auto MemorylessQuadricMesh::place(Corner c) const -> Placement {
+  Placement placement = best_place(c);
+  if (!weights_.empty())
+    placement.cost *= std::max(weights_[table_.vertex(c)], weights_[table_.vertex(next(c))]);
+  return placement;
+}
 
 /// Goes around `v`: shows its neighbours to `visit`, and collects the faces that stay when half-edge `c`
 /// collapses to `target`.
@@ -71,15 +100,18 @@ inline auto MemorylessQuadricMesh::judge(Corner c, const Placement& placement, H
   return !ear && !back_to_back && common == (interior ? 2u : 1u) ? Verdict::legal : Verdict::illegal;
 }
 
-/// Calls `visit(half-edge, neighbour)` for the two boundary edges at `v`, if there are.
+/// Calls `visit(half-edge, neighbour)` for the boundary and feature edges at `v`.
 template <typename Visit>
-void MemorylessQuadricMesh::for_each_boundary_edge(std::uint32_t v, Visit visit) const {
-  if (!table_.is_open(v)) return;
+void MemorylessQuadricMesh::for_each_line(std::uint32_t v, Visit visit) const {
+  if (!has_features_ && !table_.is_open(v)) return;
   const Corner first = table_.first(v);
-  visit(first, table_.vertex(next(first)));
-  Corner last = first;
-  for (Corner at = first; at != kNoCorner; at = table_.around(at)) last = at;
-  visit(previous(last), table_.vertex(previous(last)));
+  Corner at = first, last = first;
+  do {
+    if (table_.twin(at) == kNoCorner || table_.is_line(at)) visit(at, table_.vertex(next(at)));
+    last = at;
+    at = table_.around(at);
+  } while (at != kNoCorner && at != first);
+  if (at == kNoCorner) visit(previous(last), table_.vertex(previous(last)));
 }
 
 /// The face of `c` is about to vanish and its two other edges are about to become one: sees to it that this
@@ -89,6 +121,9 @@ inline Corner MemorylessQuadricMesh::fuse(Corner c) {
     return at != kNoCorner && (table_.face(at).queued >> (at & 3) & 1) != 0;
   };
   const Corner left = table_.twin(next(c)), right = table_.twin(previous(c));
+  if (has_features_ && (table_.is_line(next(c)) || table_.is_line(previous(c))))
+    for (const Corner at : {left, right})
+      if (at != kNoCorner) table_.set_line(at);
   if (queued(left) && queued(right))
     table_.face(right).queued &= static_cast<std::uint16_t>(~(1u << (right & 3)));
   if (queued(left) || queued(right) || !(queued(next(c)) || queued(previous(c)))) return kNoCorner;
@@ -104,8 +139,7 @@ inline void MemorylessQuadricMesh::update_ring(Corner c, const Hand& hand, Symme
     quadrics_[table_.vertex(tip)] -= face_quadric(edge(side).cross(-edge(tip)));
   }
   for (const std::uint32_t v : {table_.vertex(c), table_.vertex(next(c))})
-    for_each_boundary_edge(
-        v, [&](Corner half, std::uint32_t w) { quadrics_[w] -= boundary_quadric(edge(half)); });
+    for_each_line(v, [&](Corner half, std::uint32_t w) { quadrics_[w] -= boundary_quadric(edge(half)); });
   for (const Turn& turn : hand.turns) {
     const SymmetricMatrix after = face_quadric(turn.after);
     own += after;
@@ -115,23 +149,59 @@ inline void MemorylessQuadricMesh::update_ring(Corner c, const Hand& hand, Symme
   }
 }
 
+/// The same for the values, whose sums depend on where the corners were and what values they had.
+/// \param along  how much of the new values comes from the end of the half-edge
+inline void MemorylessQuadricMesh::update_values(Corner c, const Vec& target, float along, const Hand& hand,
+                                                 SymmetricMatrix& own) {
+  using Term = MemorylessQuadricValues::Term;
+  const std::uint32_t to = table_.vertex(c), from = table_.vertex(next(c));
+  const auto merged = values_.between(to, from, std::clamp(along, 0.0f, 1.0f));
+  const auto add = [&](std::uint32_t v, const Term& term, float factor) {
+    quadrics_[v] += factor * term.form;
+    values_.add(v, term, factor);
+  };
+  const auto term_of = [&](Corner at, const Vec& p, const float* value) {
+    const Corner q = next(at), r = previous(at);
+    return values_.term(p, position(q), position(r), value, values_.at(table_.vertex(q)),
+                        values_.at(table_.vertex(r)));
+  };
+  for (const Corner side : {c, table_.twin(c)}) {
+    if (side == kNoCorner) continue;
+    const Corner tip = previous(side);
+    add(table_.vertex(tip), term_of(tip, position(tip), values_.at(table_.vertex(tip))), -1);
+  }
+  Term sum;
+  for (const Turn& turn : hand.turns) {
+    const Term before = term_of(turn.corner, position(turn.corner), values_.at(table_.vertex(turn.corner)));
+    const Term after = term_of(turn.corner, target, merged.data());
+    for (const Corner w : {next(turn.corner), previous(turn.corner)}) {
+      add(table_.vertex(w), before, -1);
+      add(table_.vertex(w), after, 1);
+    }
+    MemorylessQuadricValues::add(sum, after);
+  }
+  own += sum.form;
+  values_.set(to, merged, sum);
+}
+
 inline Collapse MemorylessQuadricMesh::collapse(Corner c, const Placement& placement, const Hand& hand,
                                                 std::array<Corner, 2>& unqueued) {
   const std::uint32_t to = table_.vertex(c), from = table_.vertex(next(c));
   const Vec e = edge(c), target = position(c) + placement.offset;
   const Corner d = table_.twin(c);
+  const float along = e.squaredNorm() > 0 ? placement.offset.dot(e) / e.squaredNorm() : 0.5f;
   SymmetricMatrix quadric;
   update_ring(c, hand, quadric);
+  if (!values_.empty()) update_values(c, target, along, hand, quadric);
 
   const bool swap = keeps_end(c);
   if (swap) std::swap(input_[from], input_[to]);  // the table merges the end into the start
-  const float along = e.squaredNorm() > 0 ? placement.offset.dot(e) / e.squaredNorm() : 0.5f;
   unqueued = {fuse(c), d == kNoCorner ? kNoCorner : fuse(d)};
   table_.collapse(c);
   vertices_[to].position = target;
   if (holds_[from] == kFixed) holds_[to] = kFixed;
   if (!weights_.empty()) weights_[to] = std::max(weights_[to], weights_[from]);
-  for_each_boundary_edge(to, [&](Corner half, std::uint32_t w) {
+  for_each_line(to, [&](Corner half, std::uint32_t w) {
     const SymmetricMatrix boundary = boundary_quadric(edge(half));
     quadrics_[w] += boundary;
     quadric += boundary;

@@ -15,6 +15,7 @@
 #include "whittle/CornerTable.hh"
 #include "whittle/Crew.hh"
 #include "whittle/IndexedMesh.hh"
+#include "whittle/MemorylessQuadricValues.hh"
 #include "whittle/MortonOrder.hh"
 #include "whittle/Surface.hh"
 #include "whittle/SymmetricMatrix.hh"
@@ -54,9 +55,11 @@ class MemorylessQuadricMesh {
   };
   enum class Verdict { legal, illegal, elsewhere };  ///< elsewhere: the ring leaves the hand's part
 
+  /// \param feature_angle  between the normals of two faces, radians: sharper edges are held as the boundary
+  /// is
   template <typename Real>
   MemorylessQuadricMesh(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras, float min_cos,
-                        Crew& crew);
+                        double feature_angle, Crew& crew);
 
   CornerTable& table() { return table_; }
   const CornerTable& table() const { return table_; }
@@ -103,6 +106,7 @@ class MemorylessQuadricMesh {
   };
   enum Hold : std::uint8_t { kFree, kFixed, kUntouchable };
 
+  static constexpr double kPi = 3.14159265358979323846;
   /// Faces may turn so much less than 90 degrees against their packed normal in the input.
   static constexpr float kUpright = 1e-4f;
 
@@ -113,8 +117,8 @@ class MemorylessQuadricMesh {
     return position(next(c)) - position(c);
   }
 
-  /// The planes along a boundary half-edge, upright on its face's plane or anywhere else: nine times the
-  /// square of the distance from its line.
+  /// The planes along a boundary or feature half-edge, upright on its face's plane or anywhere else: nine
+  /// times the square of the distance from its line.
   static SymmetricMatrix boundary_quadric(const Vec& e) {
     return SymmetricMatrix::identity(9 * e.squaredNorm()) - SymmetricMatrix::outer(e, 9.0f);
   }
@@ -129,6 +133,8 @@ class MemorylessQuadricMesh {
   void find_first_faces();
   void sum_quadrics(Crew& crew);
   void add_face(Corner f);
+  void set_values(const SurfaceExtras& extras);
+  void mark_features(double angle);
   void set_weights(const std::vector<float>& tolerance);
   Placement best_place(Corner c) const;
 
@@ -140,8 +146,9 @@ class MemorylessQuadricMesh {
   template <typename Visit>
   Verdict survey(std::uint32_t v, Corner c, const Vec& target, Hand& hand, Visit visit);
   template <typename Visit>
-  void for_each_boundary_edge(std::uint32_t v, Visit visit) const;
+  void for_each_line(std::uint32_t v, Visit visit) const;
   void update_ring(Corner c, const Hand& hand, SymmetricMatrix& own);
+  void update_values(Corner c, const Vec& target, float along, const Hand& hand, SymmetricMatrix& own);
   Corner fuse(Corner c);
   void set_part(Corner c);
 
@@ -155,6 +162,8 @@ class MemorylessQuadricMesh {
   Part n_parts_ = 0;
   std::vector<std::size_t> first_face_;
   std::vector<float> weights_;  // of costs; empty where all are 1
+  MemorylessQuadricValues values_;
+  bool has_features_ = false;
   float min_cos_;
   double scale_ = 1;
   Eigen::Vector3d center_;
@@ -162,7 +171,7 @@ class MemorylessQuadricMesh {
 
 template <typename Real>
 MemorylessQuadricMesh::MemorylessQuadricMesh(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
-                                             float min_cos, Crew& crew)
+                                             float min_cos, double feature_angle, Crew& crew)
     : MemorylessQuadricMesh(MortonOrder(mesh, !extras.reference_normals.empty()), min_cos, crew) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL), high = -low;
   for (const auto& p : mesh.points) {
@@ -178,7 +187,9 @@ MemorylessQuadricMesh::MemorylessQuadricMesh(const IndexedMeshT<Real>& mesh, con
     if (holds_[i] == kFree && !extras.flags.empty() && (extras.flags[v] & kHeld)) holds_[i] = kFixed;
   }
   if (!extras.tolerance.empty()) set_weights(extras.tolerance);
+  if (extras.n_values > 0) set_values(extras);
   sum_quadrics(crew);
+  if (feature_angle < kPi) mark_features(feature_angle);
   for (std::size_t f = 0; f < input_face_.size(); ++f) {
     const Eigen::Vector3d& normal = extras.reference_normals[input_face_[f]];
     table_.face(static_cast<Corner>(4 * f)).normal = PackedNormal(normal.stableNormalized().cast<float>());
@@ -244,7 +255,14 @@ inline void MemorylessQuadricMesh::sum_quadrics(Crew& crew) {
 inline void MemorylessQuadricMesh::add_face(Corner f) {
   const Vec normal = edge(f).cross(-edge(f + 2));
   table_.face(f).normal = PackedNormal(normal);
-  const SymmetricMatrix quadric = face_quadric(normal);
+  SymmetricMatrix quadric = face_quadric(normal);
+  if (!values_.empty()) {
+    const auto& [a, b, c] = table_.face(f).vertex;
+    const auto term = values_.term(position(f), position(f + 1), position(f + 2), values_.at(a),
+                                   values_.at(b), values_.at(c));
+    quadric += term.form;
+    for (const std::uint32_t v : table_.face(f).vertex) values_.add(v, term, 1);
+  }
   for (Corner c = f; c < f + 3; ++c) {
     quadrics_[table_.vertex(c)] += quadric;
     if (table_.twin(c) != kNoCorner) continue;
@@ -254,6 +272,31 @@ inline void MemorylessQuadricMesh::add_face(Corner f) {
   }
 }
 
+inline void MemorylessQuadricMesh::set_values(const SurfaceExtras& extras) {
+  const std::size_t n = extras.n_values;
+  std::vector<float> values(n * vertices_.size());
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+    for (std::size_t k = 0; k < n; ++k)
+      values[n * i + k] = static_cast<float>(static_cast<double>(extras.values[n * input_[i] + k]) / scale_);
+  values_ = MemorylessQuadricValues(std::move(values), n);
+}
+
+/// Edges between two faces that meet at more than an angle become lines.
+inline void MemorylessQuadricMesh::mark_features(double angle) {
+  const auto normal = [&](Corner c) { return edge(c).cross(-edge(previous(c))).normalized().eval(); };
+  const auto least = static_cast<float>(std::cos(angle));
+  for (Corner f = 0; f < 4 * table_.n_faces(); f += 4)
+    for (Corner c = f; c < f + 3; ++c) {
+      const Corner d = table_.twin(c);
+      if (d == kNoCorner || d < c || !(normal(c).dot(normal(d)) < least)) continue;
+      table_.set_line(c);
+      table_.set_line(d);
+      has_features_ = true;
+      for (const std::uint32_t v : {table_.vertex(c), table_.vertex(d)})
+        quadrics_[v] += boundary_quadric(edge(c));
+    }
+}
+
 inline void MemorylessQuadricMesh::set_weights(const std::vector<float>& tolerance) {
   constexpr float kLeast = 1e-4f;  // its weight is still far from the largest float
   weights_.resize(vertices_.size());
@@ -261,31 +304,6 @@ inline void MemorylessQuadricMesh::set_weights(const std::vector<float>& toleran
     const float least = std::max(kLeast, tolerance[input_[i]]);
     weights_[i] = 1 / (least * least);
   }
-}
-
-/// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
-/// slight pull to the middle that decides where the planes leave a direction open.
-inline auto MemorylessQuadricMesh::best_place(Corner c) const -> Placement {
-  const std::uint32_t a = table_.vertex(c), b = table_.vertex(next(c));
-  const SymmetricMatrix &at_a = quadrics_[a], &at_b = quadrics_[b];
-  const Vec e = vertices_[b].position - vertices_[a].position;
-  const Vec pull_b = at_b * e;
-  if (holds_[a] == kFixed) return {Vec::Zero(), std::max(0.0f, e.dot(pull_b))};
-  if (holds_[b] == kFixed) return {e, std::max(0.0f, e.dot(at_a * e))};
-  const SymmetricMatrix sum = at_a + at_b;
-  const float pull = 1e-5f * sum.trace();
-  const Vec middle = e / 2;
-  const Vec u = (sum + SymmetricMatrix::identity(pull)).solve(pull_b + pull * middle);
-  if ((u - middle).squaredNorm() <= 4 * e.squaredNorm())
-    return {u, std::max(0.0f, (e - u).dot(pull_b) - pull * u.dot(u - middle))};
-  return {middle, std::max(0.0f, middle.dot(sum * middle))};
-}
-
-inline auto MemorylessQuadricMesh::place(Corner c) const -> Placement {
-  Placement placement = best_place(c);
-  if (!weights_.empty())
-    placement.cost *= std::max(weights_[table_.vertex(c)], weights_[table_.vertex(next(c))]);
-  return placement;
 }
 
 inline void MemorylessQuadricMesh::set_part(Corner c) {

@@ -28,9 +28,9 @@ class MemorylessQuadricRun {
  public:
   template <typename Real>
   MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras, float min_cos,
-                       std::size_t n_threads)
+                       double feature_angle, std::size_t n_threads)
       : crew_(n_threads),
-        mesh_(mesh, extras, min_cos, crew_),
+        mesh_(mesh, extras, min_cos, feature_angle, crew_),
         seams_(mesh_, MemorylessQuadricMesh::kEverywhere),
         n_faces_(mesh.triangles.size()),
         n_vertices_(mesh.points.size()) {
