@@ -1,25 +1,28 @@
 #include "batch/Items.hh"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
 #include <map>
 #include <system_error>
 #include <utility>
 
+#include "files/MeshFile.hh"
+
 namespace whittle::batch {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kExtensions = {".obj", ".ply", ".off", ".stl", ".om", ".glb"};
-
-bool is_mesh(const fs::path& path) {
+bool is_any_of(const std::vector<std::string>& extensions, const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+bool is_mesh(const fs::path& path) {
+  return is_any_of(files::readable_extensions(), path);
 }
 
 bool is_inside(const fs::path& path, const fs::path& folder) {
@@ -87,7 +90,10 @@ std::vector<Item> list_items(const fs::path& source, const fs::path& out, const 
   std::vector<Item> items;
   std::map<fs::path, fs::path> taken;
   for (auto& [in, relative] : is_folder ? in_folder(source, out) : in_manifest(source)) {
-    if (!format.empty()) relative.replace_extension(format);
+    if (!format.empty())
+      relative.replace_extension(format);
+    else if (!is_any_of(files::writable_extensions(), relative))
+      relative.replace_extension(".glb");  // glTF's one-file form
     const auto [other, is_new] = taken.emplace(relative, in);
     if (!is_new)
       throw BatchError(in.string() + " and " + other->second.string() + " would both become " +

@@ -72,6 +72,12 @@ struct MeshFile {
   ReadReport report;
 };
 
+/// The extensions of the formats that can be read, and written, with their dot.
+/// \{
+std::vector<std::string> readable_extensions();
+std::vector<std::string> writable_extensions();
+/// \}
+
 /// Reads a mesh; the format is told by the content where that is certain, else by the extension.
 /// \param path  "-" is standard input, where only the content tells the format
 /// \throw FileError  missing, unreadable, unknown format, damaged, cut off; see Repair for the rest

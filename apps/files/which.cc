@@ -24,6 +24,19 @@ bool is_json(std::string_view bytes) {
 
 }  // namespace
 
+std::vector<std::string> readable_extensions() {
+  std::vector<std::string> all;
+  for (const ExtensionOf& known : extensions) all.emplace_back(known.extension);
+  return all;
+}
+
+std::vector<std::string> writable_extensions() {
+  std::vector<std::string> all;
+  for (const ExtensionOf& known : extensions)
+    if (known.format != Format::gltf) all.emplace_back(known.extension);
+  return all;
+}
+
 Format format_of_extension(const std::string& extension) {
   for (const ExtensionOf& known : extensions)
     if (same_word(known.extension, extension)) return known.format;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "attributes/transfer.hh"
+#include "attributes/values.hh"
 #include "measure/Excess.hh"
 #include "recipe/Catalogue.hh"
 #include "recipe/flips.hh"
@@ -17,9 +18,35 @@ constexpr std::pair<Driver, const char*> kDrivers[] = {
     {Driver::automatic, "auto"}, {Driver::bulk, "bulk"},           {Driver::sweep, "sweep"},
     {Driver::lazy, "lazy"},      {Driver::decimater, "decimater"}, {Driver::mc, "mc"}};
 
-/// Flags and tolerances for a run: those given, and the seams of the attributes.
-SurfaceExtras extras(const IndexedMesh& mesh, const Givens& givens) {
-  SurfaceExtras extras{givens.flags, givens.tolerance, {}};
+/// What the first module weighs of the attributes.
+attributes::ValueWeights value_weights(const Spec& module, const Scale& scale) {
+  const auto weight = [&](const char* key) { return module.length(key, scale).value_or(0); };
+  return {weight("normals"), weight("colours"), weight("texture")};
+}
+
+void add_values(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                const attributes::ValueWeights& weights, SurfaceExtras& extras) {
+  using attributes::Kind;
+  constexpr std::pair<Kind, const char*> kKinds[] = {
+      {Kind::normal, "normals"}, {Kind::colour, "colours"}, {Kind::texture, "texture coordinates"}};
+  for (const auto& [kind, name] : kKinds)
+    if (weights.of(kind) > 0 &&
+        std::none_of(attributes.begin(), attributes.end(), [k = kind](const auto& a) { return a.kind == k; }))
+      throw RecipeError(std::string("module 'mq': the mesh has no ") + name);
+  auto values = attributes::weighted_values(mesh, attributes, weights);
+  extras.values = std::move(values.values);
+  extras.n_values = values.count;
+}
+
+/// For a run: flags and tolerances that were given, the seams of the attributes, and their values where the
+/// first module weighs them.
+SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& scale, const Givens& givens) {
+  SurfaceExtras extras;
+  extras.flags = givens.flags;
+  extras.tolerance = givens.tolerance;
+  const attributes::ValueWeights weights = value_weights(module, scale);
+  if (weights.any())
+    add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), weights, extras);
   if (!givens.attributes) return extras;
   const auto seams = attributes::seam_flags(mesh, *givens.attributes);
   extras.flags.resize(mesh.points.size(), 0);
@@ -37,12 +64,9 @@ std::size_t count_held(const SurfaceExtras& extras) {
 
 Work make_work(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
   check(recipe);
-  return {mesh,
-          group(recipe.modules),
-          recipe.driver,
-          measure_scale(mesh),
-          make_floor(recipe.target, mesh),
-          extras(mesh, givens),
+  const Scale scale = measure_scale(mesh);
+  return {mesh,   group(recipe.modules),           recipe.driver,
+          scale,  make_floor(recipe.target, mesh), extras(mesh, recipe.modules.front(), scale, givens),
           monitor};
 }
 
@@ -102,6 +126,8 @@ Scale measure_scale(const IndexedMesh& mesh) {
 void check(const Recipe& recipe) {
   const bool has_end = recipe.target.any() || recipe.max_distance;
   for (const Stage& stage : group(recipe.modules)) {
+    if (value_weights(stage.module, {1, 1}).any() && stage.module.text() != recipe.modules.front().text())
+      throw RecipeError("module 'mq' can weigh normals, colours and texture only as the first module");
     choose_driver(recipe.driver, stage);
     if (stage.is_planned()) make_planner(stage.module, {1, 1});
     if (!has_threshold(stage.module) && !has_default_threshold(stage.module) && !has_end)

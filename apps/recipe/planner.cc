@@ -50,7 +50,11 @@ Planner make(const Spec& spec, const Scale& scale) {
   if (spec.name == "ss") return make_sphere_scan(spec, scale);
   if (spec.name == "fass") return Fass{{make_face_angle(spec), make_sphere_scan(spec, scale)}};
   if (spec.name == "vt") return make_triangle_planner<Circumcenter>(spec);
-  if (spec.name == "mq") return MemorylessQuadric();
+  if (spec.name == "mq") {
+    MemorylessQuadric planner;
+    if (const auto angle = spec.number("feature")) planner.feature_angle = *angle;
+    return planner;
+  }
   const double distance = spec.length("distance", scale).value_or(0);
   if (spec.name == "vtd") {
     auto planner = make_triangle_planner<VertexTripletDistance>(spec);

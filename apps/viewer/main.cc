@@ -38,7 +38,7 @@ struct Options {
 };
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("MODEL", options.model, "The mesh to open: OBJ, PLY, OFF or STL");
+  app.add_option("MODEL", options.model, "The mesh to open: OBJ, PLY, OFF, STL, OM, GLB or glTF");
   app.add_option("--recipe", options.recipe, "A recipe file, or its text, as 'fass:radius=0.8e'")
       ->type_name("FILE|TEXT");
   app.add_option("--screenshot", options.screenshot, "Write the window as PNG once all is done, and exit")

@@ -30,17 +30,26 @@ class BucketQueue {
     buckets_[bucket < at_ ? at_ : bucket < kBuckets ? bucket : kBuckets - 1].push_back(item);
   }
 
-  /// The next item of the cheapest bucket. \return false  the queue is empty.
-  bool pop(std::uint32_t& item) {
-    while (read_ == buckets_[at_].size()) {
+  /// The next item of the cheapest bucket. \return false  there is none below bucket `end`.
+  bool pop(std::uint32_t& item, std::size_t end = kBuckets) {
+    while (at_ < end && read_ == buckets_[at_].size()) {
+      if (at_ + 1 == kBuckets) return false;
       std::vector<std::uint32_t>().swap(buckets_[at_]);
       read_ = 0;
-      if (at_ + 1 == kBuckets) return false;
       ++at_;
     }
+    if (at_ >= end) return false;
     item = buckets_[at_][read_++];
     return true;
   }
+
+  /// The first bucket that has something, kBuckets if none has.
+  std::size_t next_bucket() const {
+    std::size_t bucket = at_;
+    while (bucket < kBuckets && size(bucket) == 0) ++bucket;
+    return bucket;
+  }
+  std::size_t size(std::size_t bucket) const { return buckets_[bucket].size() - (bucket == at_ ? read_ : 0); }
 
   std::size_t bucket() const { return at_; }  ///< the one that the last item came from
 

@@ -9,6 +9,7 @@
 
 #include "whittle/PackedNormal.hh"
 #include "whittle/Rings.hh"
+#include "whittle/parallel.hh"
 
 namespace whittle {
 
@@ -36,7 +37,8 @@ class CornerTable {
   struct Face {
     std::array<std::uint32_t, 3> vertex;  ///< kDead in the first of a face that has vanished
     std::array<Corner, 3> twin;  ///< of the half-edge that starts at each corner; kNoCorner at a boundary
-    std::uint32_t queued;        ///< a bit for each half-edge, for the planner's use
+    std::uint16_t queued;        ///< a bit for each half-edge, for the planner's use; three more: `is_line`
+    std::uint16_t part;          ///< of the mesh, for the planner's use
     PackedNormal normal;         ///< in the input
   };
   static constexpr std::uint32_t kDead = 0xffffffffu;
@@ -44,7 +46,8 @@ class CornerTable {
   CornerTable() = default;
 
   /// \param rings  of the same triangles, with faces. Where they are complex, half-edges have no twin.
-  CornerTable(const std::vector<Rings::Triangle>& triangles, const Rings& rings, std::size_t n_vertices);
+  CornerTable(const std::vector<Rings::Triangle>& triangles, const Rings& rings, std::size_t n_vertices,
+              std::size_t n_threads);
 
   Face& face(Corner c) { return faces_[c >> 2]; }
   const Face& face(Corner c) const { return faces_[c >> 2]; }
@@ -53,6 +56,10 @@ class CornerTable {
   bool is_dead(Corner c) const { return face(c).vertex[0] == kDead; }
   std::uint32_t vertex(Corner c) const { return face(c).vertex[c & 3]; }
   Corner twin(Corner c) const { return face(c).twin[c & 3]; }
+
+  /// Whether somebody has marked this half-edge.
+  bool is_line(Corner c) const { return (face(c).queued >> (3 + (c & 3)) & 1) != 0; }
+  void set_line(Corner c) { face(c).queued |= static_cast<std::uint16_t>(8u << (c & 3)); }
 
   /// A corner of a vertex; at the boundary the first. kNoCorner where it has no ring.
   Corner first(std::uint32_t v) const { return first_[v]; }
@@ -80,28 +87,35 @@ class CornerTable {
 };
 
 inline CornerTable::CornerTable(const std::vector<Rings::Triangle>& triangles, const Rings& rings,
-                                std::size_t n_vertices)
+                                std::size_t n_vertices, std::size_t n_threads)
     : first_(n_vertices, kNoCorner) {
   faces_.reserve(triangles.size());
-  for (const Rings::Triangle& t : triangles) faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, 0, {}});
+  for (const Rings::Triangle& t : triangles)
+    faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, 0, 0, {}});
   const auto corner_at = [&](std::uint32_t f, std::uint32_t v) -> Corner {
     const auto& corners = triangles[f];
     return 4 * f + (corners[0] == v ? 0 : corners[1] == v ? 1 : 2);
   };
-  for (std::uint32_t v = 0; v < n_vertices; ++v) {
-    const Ring ring = rings[v];
-    if (ring.n_faces() == 0) continue;
-    const Corner start = corner_at(rings.face(v, 0), v);
-    first_[v] = start;
-    Corner at = start;
-    for (std::size_t i = 1; i <= ring.n_faces(); ++i) {
-      if (i == ring.n_faces() && !ring.is_closed()) break;
-      const Corner after = i == ring.n_faces() ? start : corner_at(rings.face(v, i), v);
-      set_twin(previous(at), after);
-      set_twin(after, previous(at));
-      at = after;
+  // Each half-edge gets its twin from the vertex where it starts, or, if that has no ring, where it ends.
+  const auto pair = [&](Corner in, Corner out) {
+    set_twin(out, in);
+    if (rings.shape(vertex(in)) == RingShape::complex) set_twin(in, out);
+  };
+  for_each_part(n_vertices, n_threads, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
+      const Ring ring = rings[v];
+      if (ring.n_faces() == 0) continue;
+      const Corner start = corner_at(rings.face(v, 0), v);
+      first_[v] = start;
+      Corner at = start;
+      for (std::size_t i = 1; i < ring.n_faces(); ++i) {
+        const Corner after = corner_at(rings.face(v, i), v);
+        pair(previous(at), after);
+        at = after;
+      }
+      if (ring.is_closed()) pair(previous(at), start);
     }
-  }
+  });
 }
 
 inline void CornerTable::collapse(Corner c) {

@@ -25,15 +25,23 @@ namespace whittle {
 ///
 /// Vertices that are locked, features or on a seam stay where they are; free ones may merge into them. The
 /// boundary is held by planes of its own. A tolerance divides the error that a collapse adds by its square,
-/// of both ends the least counts. Computes in float on a copy of unit size.
+/// of both ends the least counts. Values that the extras give (normals, colours, texture coordinates) count
+/// beside the shape, where vertices go as well as in what order. Computes in float on a copy of unit size.
 struct MemorylessQuadric {
   std::size_t target_faces = 0;     ///< stop at so many faces or fewer; 0: go on until nothing is legal
   std::size_t target_vertices = 0;  ///< or at so many vertices, isolated ones included
+  /// Edges whose two faces' normals differ by more are held by planes of their own, as the boundary is: they
+  /// may get shorter, and keep their line. Degrees, 0..180; 180: none
+  double feature_angle = 180;
   FlipGuard guard;  ///< against the normal before each collapse; against that of the input no face turns by
                     ///< 90 degrees
 
   /// \throw InvalidParameter  a value outside the range given above.
-  void validate() const { guard.validate(); }
+  void validate() const {
+    guard.validate();
+    if (!(feature_angle >= 0 && feature_angle <= 180))
+      throw InvalidParameter("the feature angle must be in 0..180 degrees");
+  }
 
   /// A target is no threshold, so nothing is scaled.
   MemorylessQuadric scaled(double /*factor*/) const { return *this; }
@@ -62,11 +70,13 @@ struct MemorylessQuadric {
 template <typename Real>
 CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
                                              std::size_t n_threads) const {
-  MemorylessQuadricRun run(mesh, extras, static_cast<float>(guard.min_cos), n_threads);
+  constexpr double kRadians = 3.14159265358979323846 / 180;
+  MemorylessQuadricRun run(mesh, extras, static_cast<float>(guard.min_cos), feature_angle * kRadians,
+                           n_threads);
   run.run(target_faces, target_vertices);
   CollapsePlan plan = run.take();
   for (Collapse& collapse : plan.collapses)  // what is held stays just where it is, not where its float is
-    if ((extras.flags[collapse.to] & MemorylessQuadricRun::kHeld) != 0)
+    if ((extras.flags[collapse.to] & MemorylessQuadricMesh::kHeld) != 0)
       collapse.target = mesh.points[collapse.to].template cast<double>();
   return plan;
 }

@@ -24,6 +24,12 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
   void set_target_faces(std::size_t faces) {
     this->change([&](MemorylessQuadric& p) { p.target_faces = faces; });
   }
+  /// Edges sharper than so many degrees between the normals of their faces keep their line. 0..180, default
+  /// 180: none.
+  /// \throw InvalidParameter
+  void set_feature_angle(double degrees) {
+    this->change([&](MemorylessQuadric& p) { p.feature_angle = degrees; });
+  }
   /// Least cosine between a face's normals before and after a collapse. -1..1, default 0.2.
   void set_flip_guard(double min_cos) {
     this->change([&](MemorylessQuadric& p) { p.guard.min_cos = min_cos; });

@@ -25,7 +25,9 @@ class PackedNormal {
 
   /// Of unit length but for the rounding; meaningless for none.
   Eigen::Vector3f unpacked() const {
-    const auto part = [&](int i) { return (static_cast<float>(bits_ >> 10 * i & 1023) - 512) / 511; };
+    const auto part = [&](int i) {
+      return (static_cast<float>(static_cast<int>(bits_ >> 10 * i & 1023)) - 512) * (1.0f / 511);
+    };
     return {part(0), part(1), part(2)};
   }
 

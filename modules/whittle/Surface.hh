@@ -40,6 +40,11 @@ struct SurfaceExtras {
   std::vector<float> tolerance;
   /// For each face the normal that the flip guard judges it by, of any length; its own where this is empty.
   std::vector<Eigen::Vector3d> reference_normals;
+  /// For each vertex so many values, for mq, which lets them count beside the shape: normals, colours,
+  /// texture coordinates, each times the length, in model units, that a difference of 1 is to count as. Not a
+  /// number: the vertex has no single value, as on a seam.
+  std::vector<float> values = {};
+  std::size_t n_values = 0;  ///< for each vertex, at most 12
 };
 
 /// What every planner takes for granted of its input.
@@ -50,8 +55,9 @@ SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
   const std::size_t n_vertices = mesh.points.size(), n_faces = mesh.triangles.size();
   const auto fits = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
   if (!fits(extras.flags.size(), n_vertices) || !fits(extras.tolerance.size(), n_vertices) ||
-      !fits(extras.reference_normals.size(), n_faces))
-    throw InvalidParameter("flags, tolerances or normals do not have the size of the mesh");
+      !fits(extras.reference_normals.size(), n_faces) || extras.values.size() != extras.n_values * n_vertices)
+    throw InvalidParameter("flags, tolerances, normals or values do not have the size of the mesh");
+  if (extras.n_values > 12) throw InvalidParameter("a vertex has more than 12 values");
   extras.flags.resize(n_vertices, 0);
   for (std::size_t v = 0; v < n_vertices; ++v)
     if (!mesh.points[v].allFinite())

@@ -17,6 +17,11 @@ struct SymmetricMatrix {
     const float x = s * v.x(), y = s * v.y(), z = s * v.z();
     return {x * v.x(), x * v.y(), x * v.z(), y * v.y(), y * v.z(), z * v.z()};
   }
+  /// v wT + w vT
+  static SymmetricMatrix both(const Eigen::Vector3f& v, const Eigen::Vector3f& w) {
+    return {2 * v.x() * w.x(), v.x() * w.y() + v.y() * w.x(), v.x() * w.z() + v.z() * w.x(),
+            2 * v.y() * w.y(), v.y() * w.z() + v.z() * w.y(), 2 * v.z() * w.z()};
+  }
 
   SymmetricMatrix& operator+=(const SymmetricMatrix& o) {
     xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz;
@@ -25,6 +30,9 @@ struct SymmetricMatrix {
   SymmetricMatrix& operator-=(const SymmetricMatrix& o) {
     xx -= o.xx, xy -= o.xy, xz -= o.xz, yy -= o.yy, yz -= o.yz, zz -= o.zz;
     return *this;
+  }
+  friend SymmetricMatrix operator*(float s, const SymmetricMatrix& a) {
+    return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz};
   }
   friend SymmetricMatrix operator+(SymmetricMatrix a, const SymmetricMatrix& b) { return a += b; }
   friend SymmetricMatrix operator-(SymmetricMatrix a, const SymmetricMatrix& b) { return a -= b; }

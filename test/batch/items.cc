@@ -33,6 +33,14 @@ TEST_CASE("a folder gives its meshes and those of the folders in it, in order, w
   CHECK(list_items(in, in / "out", "glb")[0].out == in / "out/a.glb");
 }
 
+TEST_CASE("glTF, which is only read, becomes GLB") {
+  const scratch::Folder folder;
+  touch(folder.path() / "a.gltf");
+  const auto items = list_items(folder.path(), "out", "");
+  REQUIRE(items.size() == 1);
+  CHECK(items[0].out == "out/a.glb");
+}
+
 TEST_CASE("a manifest names meshes relative to itself") {
   const scratch::Folder folder;
   const fs::path list = folder.path() / "list.txt";

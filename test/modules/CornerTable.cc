@@ -17,7 +17,7 @@ using meshes::IndexedMesh;
 namespace {
 
 CornerTable table_of(const IndexedMesh& mesh) {
-  return {mesh.triangles, Rings(mesh.triangles, mesh.points.size(), true, 1), mesh.points.size()};
+  return {mesh.triangles, Rings(mesh.triangles, mesh.points.size(), true, 1), mesh.points.size(), 2};
 }
 
 std::vector<Rings::Triangle> alive(const CornerTable& table) {
@@ -136,6 +136,23 @@ TEST_CASE("a bucket queue goes up by quarters of an octave, and first in, first 
   queue.push(5, 9999);
   REQUIRE(queue.pop(item));
   CHECK(item == 5);
+}
+
+TEST_CASE("a bucket queue stops below a bucket, and goes on from there") {
+  BucketQueue queue;
+  std::uint32_t item = 0;
+  CHECK(queue.next_bucket() == BucketQueue::kBuckets);
+  queue.push(6, 700);
+  CHECK(queue.next_bucket() == 700);
+  CHECK(queue.size(700) == 1);
+  CHECK_FALSE(queue.pop(item, 700));
+  queue.push(7, 3);  // too late for its own bucket: the next one that is read
+  REQUIRE(queue.pop(item, 701));
+  CHECK(item == 6);
+  REQUIRE(queue.pop(item, 701));
+  CHECK(item == 7);
+  CHECK(queue.size(700) == 0);
+  CHECK_FALSE(queue.pop(item, 701));
 }
 
 TEST_CASE("Morton order renumbers and loses nothing") {

@@ -111,6 +111,26 @@ TEST_CASE("mq is much truer to the shape than ModQuadricT") {
   CHECK(measure::distance(mesh, ours).two_sided.rms < 0.8 * measure::distance(mesh, theirs).two_sided.rms);
 }
 
+TEST_CASE("mq plans the same on any number of threads, also where the mesh is cut into parts") {
+  const IndexedMesh mesh = meshes::riddled(meshes::shaken(meshes::torus(300, 180), 0.0005, 1), 40, 3);
+  REQUIRE(mesh.points.size() > 3 * 16384);
+  for (const std::size_t target : {50000u, 20000u}) {
+    BulkOptions options;
+    options.threads = 1;
+    const auto one = bulk(down_to(target), mesh, options);
+    CHECK(one.mesh.triangles.size() <= target);
+    CHECK(one.mesh.triangles.size() + 2 > target);
+    check_topology(mesh, one.mesh);
+    CHECK(turned_over(mesh, one) == 0);
+    for (const std::size_t n_threads : {2u, 3u, 7u}) {
+      options.threads = n_threads;
+      const auto many = bulk(down_to(target), mesh, options);
+      REQUIRE(many.mesh.triangles == one.mesh.triangles);
+      REQUIRE(many.mesh.points == one.mesh.points);
+    }
+  }
+}
+
 TEST_CASE("every beginning of an mq plan is a valid, coarser mesh") {
   const IndexedMesh mesh = meshes::shaken(meshes::torus(20, 12), 0.01, 2);
   const CollapsePlan plan = down_to(0).plan(SurfaceT<double>(mesh));

@@ -117,12 +117,45 @@ TEST_CASE("a session may end in the middle of its work") {
 
 TEST_CASE("what is exported is what was measured") {
   Opened opened;
-  for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
-    opened.session.export_result(opened.folder / name, false);
-    const auto file = files::read_mesh(opened.folder / name);
+  for (const std::string& extension : files::writable_extensions()) {
+    const std::string path = opened.folder / ("a" + extension);
+    opened.session.export_result(path, false);
+    const auto file = files::read_mesh(path);
     CHECK(file.mesh.triangles.size() == opened.session.outcome()->mesh().triangles.size());
   }
   CHECK_THROWS_AS(opened.session.export_result(opened.folder / "a.xyz", false), files::FileError);
+}
+
+TEST_CASE("attributes live through a recipe as on the command line, and what a format cannot take is said") {
+  const programs::Folder folder;
+  const IndexedMesh torus = meshes::torus(40, 24);
+  attributes::Attribute colours;
+  colours.kind = attributes::Kind::colour;
+  colours.components = 3;
+  for (const auto& p : torus.points)
+    for (const float x : {p.x() > 0 ? 1.0f : 0.0f, 0.5f, 0.25f}) colours.values.push_back(x);
+  files::write_mesh(folder / "torus.ply", torus, {}, {colours});
+  Session session;
+  session.open(folder / "torus.ply");
+  settle(session);
+
+  session.begin_export(folder / "a.ply", false);
+  settle(session);
+  const auto read = files::read_mesh(folder / "torus.ply");
+  const auto wanted = recipe::run(read.mesh, session.recipe(), {}, {{}, {}, &read.attributes});
+  const auto file = files::read_mesh(folder / "a.ply");
+  REQUIRE(file.attributes.size() == 1);
+  REQUIRE(wanted.attributes.size() == 1);
+  CHECK(file.attributes[0].values == wanted.attributes[0].values);
+
+  session.begin_export(folder / "a.stl", false);
+  std::vector<std::string> left_out;
+  while (!session.settled()) {
+    const News news = session.poll();
+    if (!news.written.empty()) left_out = news.left_out;
+  }
+  CHECK(std::any_of(left_out.begin(), left_out.end(),
+                    [](const std::string& line) { return line.find("colour") != std::string::npos; }));
 }
 
 TEST_CASE("a result is exported by a worker, which says when it is done and what went wrong") {
@@ -197,10 +230,11 @@ TEST_CASE("commands change session and view") {
     for (const Command& command : parse_script(text, "s")) CHECK(perform(command, opened.session, view, 1));
   };
   perform_all(
-      "module vt\nadd fad:angle=30\nmove 2 1\nset 1 angle 40\ntarget ratio 0.5\ndriver sweep\ndelaunay 20\n");
+      "module vt\nadd fad:angle=30\nmove 2 1\nset 1 angle 40\ntarget ratio 0.5\ndriver sweep\ndelaunay "
+      "20\nbound 0.5%\n");
   CHECK(options_text(opened.session.recipe()) ==
-        "--module fad:angle=40 --module vt --ratio 0.5 --delaunay 20 --driver sweep");
-  perform_all("remove 2\ntarget none\ndelaunay off\ndriver auto\nundo\nredo\n");
+        "--module fad:angle=40 --module vt --ratio 0.5 --max-distance 0.5% --delaunay 20 --driver sweep");
+  perform_all("remove 2\ntarget none\ndelaunay off\nbound off\ndriver auto\nundo\nredo\n");
   CHECK(options_text(opened.session.recipe()) == "--module fad:angle=40");
   perform_all(
       "layout split\nshading flat\nheat on\nheat-top 0.5\nedges feature on\nfeature-angle 50\nsplit "

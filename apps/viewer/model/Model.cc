@@ -42,7 +42,7 @@ double Outcome::faces_removed() const {
 std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
                                             const recipe::Monitor& monitor) {
   auto outcome = std::make_shared<Outcome>();
-  outcome->result = recipe::run(model->mesh(), recipe, monitor);
+  outcome->result = recipe::run(model->mesh(), recipe, monitor, model->givens());
   if (model->file.single_precision)
     for (auto& point : outcome->result.mesh.points) point = point.cast<float>().cast<double>();
   for (const recipe::StageResult& stage : outcome->result.stages)

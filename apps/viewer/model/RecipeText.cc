@@ -42,11 +42,14 @@ void set_option(Recipe& recipe, const std::string& option, const std::string& va
     recipe.target.vertices = to_count(option, value);
   else if (option == "--delaunay")
     recipe.delaunay = to_real(option, value);
+  else if (option == "--max-distance")
+    recipe.max_distance = recipe::parse_length(value);
   else if (option == "--driver")
     recipe.driver = recipe::parse_driver(value);
   else if (!is_about_output(option))
     throw RecipeError("unknown option '" + option +
-                      "'; there are --module, --ratio, --faces, --vertices, --delaunay and --driver");
+                      "'; there are --module, --ratio, --faces, --vertices, --max-distance, --delaunay and "
+                      "--driver");
 }
 
 }  // namespace
@@ -60,6 +63,7 @@ std::string options_text(const Recipe& recipe) {
   if (recipe.target.ratio) add("--ratio", to_text(*recipe.target.ratio));
   if (recipe.target.faces) add("--faces", std::to_string(*recipe.target.faces));
   if (recipe.target.vertices) add("--vertices", std::to_string(*recipe.target.vertices));
+  if (recipe.max_distance) add("--max-distance", recipe.max_distance->text());
   if (recipe.delaunay) add("--delaunay", to_text(*recipe.delaunay));
   if (recipe.driver != recipe::Driver::automatic) add("--driver", recipe::to_string(recipe.driver));
   return text;

@@ -20,11 +20,11 @@ std::string reason(const std::exception& error) {
   return dynamic_cast<const std::bad_alloc*>(&error) ? "not enough memory" : error.what();
 }
 
-void write_result(const std::string& path, const Outcome& outcome, bool ascii) {
+std::vector<std::string> write_result(const std::string& path, const Outcome& outcome, bool ascii) {
   files::WriteOptions options;
   options.ascii = ascii;
   options.single_precision = outcome.model->file.single_precision;
-  files::write_mesh(path, outcome.mesh(), options);
+  return files::write_mesh(path, outcome.mesh(), options, outcome.result.attributes).notes();
 }
 
 bool rests(const Wanted& wanted) {
@@ -133,8 +133,8 @@ void Session::start_plan() {
   planner_.submit([this, model = model_, recipe = recipe()](const Wanted& wanted) {
     auto plan = std::make_shared<PlanPicture>();
     try {
-      const auto collapses =
-          recipe::plan(model->mesh(), recipe, [&](const recipe::Progress&) { return wanted(); });
+      const auto collapses = recipe::plan(
+          model->mesh(), recipe, [&](const recipe::Progress&) { return wanted(); }, model->givens());
       *plan = picture(model->mesh(), collapses);
     } catch (const std::exception&) {  // cancelled; anything else the run itself reports
       return;
@@ -234,10 +234,12 @@ News Session::poll() {
   }
   take_stand_ins(news);
   if (auto written = written_.take()) {
-    if (written->error.empty())
+    if (written->error.empty()) {
       news.written = written->path;
-    else
+      news.left_out = std::move(written->notes);
+    } else {
       errors.push_back(written->error);
+    }
   }
   return news;
 }
@@ -264,15 +266,15 @@ std::optional<double> Session::part_done() const {
 
 void Session::begin_export(const std::string& path, bool ascii) {
   if (!outcome_) throw files::FileError(path + ": there is no result to write yet");
-  begin_write(path, [path, outcome = outcome_, ascii] { write_result(path, *outcome, ascii); });
+  begin_write(path, [path, outcome = outcome_, ascii] { return write_result(path, *outcome, ascii); });
 }
 
-void Session::begin_write(const std::string& path, std::function<void()> write) {
+void Session::begin_write(const std::string& path, std::function<std::vector<std::string>()> write) {
   if (writing()) throw files::FileError(path + ": another file is being written");
   writer_.submit([this, path, write = std::move(write)](const Wanted&) {
-    Written written{path, {}};
+    Written written{path, {}, {}};
     try {
-      write();
+      written.notes = write();
     } catch (const std::exception& error) {
       written.error = reason(error);
     }

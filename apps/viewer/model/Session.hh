@@ -22,8 +22,9 @@ namespace whittle::viewer {
 /// What poll() found.
 struct News {
   bool model = false, outcome = false, comparison = false, plan = false;
-  bool stand_ins = false;  ///< one of them, or both
-  std::string written;     ///< the path of a result that has been exported; empty: none
+  bool stand_ins = false;             ///< one of them, or both
+  std::string written;                ///< the path of a result that has been exported; empty: none
+  std::vector<std::string> left_out;  ///< what that file could not take, a line each
   bool any() const { return model || outcome || comparison || plan || stand_ins || !written.empty(); }
 };
 
@@ -94,7 +95,8 @@ class Session {
   /// \}
 
   /// Lets the same worker write another file. \throw FileError  it is still writing one.
-  void begin_write(const std::string& path, std::function<void()> write);
+  /// \param write  returns what the file could not take.
+  void begin_write(const std::string& path, std::function<std::vector<std::string>()> write);
 
   std::deque<std::string> errors;  ///< for the user to see, the oldest first
 
@@ -114,6 +116,7 @@ class Session {
   };
   struct Written {
     std::string path, error;
+    std::vector<std::string> notes;
   };
 
   void recipe_has_changed();

@@ -39,6 +39,13 @@ void set_target(const Context& c) {
   c.session.change(recipe);
 }
 
+void set_bound(const Context& c) {
+  auto recipe = c.session.recipe();
+  recipe.max_distance.reset();
+  if (c.word(0) != "off") recipe.max_distance = recipe::parse_length(c.word(0));
+  c.session.change(std::move(recipe));
+}
+
 void set_delaunay(const Context& c) {
   recipe::Recipe recipe = c.session.recipe();
   recipe.delaunay.reset();
@@ -83,6 +90,7 @@ Actions recipe_actions() {
          recipe.driver = recipe::parse_driver(c.word(0));
          c.session.change(recipe);
        }},
+      {"bound", set_bound},
       {"delaunay", set_delaunay},
       {"undo", [](const Context& c) { c.session.undo(); }},
       {"redo", [](const Context& c) { c.session.redo(); }},

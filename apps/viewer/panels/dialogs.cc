@@ -39,8 +39,8 @@ bool decide(Ui& ui, const char* label, bool enter) {
 }
 
 void open_dialog(Ui& ui) {
-  quiet_text("A mesh: OBJ, PLY, OFF or STL. You can also drop a file on the window.");
-  const bool chosen = file_field(ui, {".obj", ".ply", ".off", ".stl"});
+  quiet_text("A mesh: OBJ, PLY, OFF, STL, OM, GLB or glTF. You can also drop a file on the window.");
+  const bool chosen = file_field(ui, files::readable_extensions());
   if (!ui.settings.recent.empty()) {
     heading("Recent files");
     for (const std::string& file : ui.settings.recent)
@@ -53,11 +53,11 @@ void open_dialog(Ui& ui) {
 }
 
 void export_dialog(Ui& ui) {
-  quiet_text("The extension says the format: .obj, .ply, .off or .stl");
-  const bool enter = file_field(ui, {".obj", ".ply", ".off", ".stl"});
-  for (const char* extension : {".ply", ".obj", ".off", ".stl"}) {
+  quiet_text("The extension says the format");
+  const bool enter = file_field(ui, files::writable_extensions());
+  for (const std::string& extension : files::writable_extensions()) {
     const std::filesystem::path path = ui.path;
-    if (toggle(extension, path.extension() == extension))
+    if (toggle(extension.c_str(), path.extension() == extension))
       ui.path = std::filesystem::path(path).replace_extension(extension).string();
     ImGui::SameLine();
   }

@@ -81,6 +81,11 @@ void counts(const Ui& ui) {
   ImGui::EndTable();
 }
 
+/// What the mesh does not hold as it stood in the file.
+void reading(const Ui& ui) {
+  for (const std::string& line : ui.session.model()->file.report.notes()) quiet_text(line);
+}
+
 void reduction(const Ui& ui) {
   const Outcome* outcome = ui.session.outcome();
   if (!outcome || !ImGui::BeginTable("reduction", 2, ImGuiTableFlags_SizingStretchProp)) return;
@@ -109,9 +114,13 @@ void reduction(const Ui& ui) {
   if (outcome->result.refused_faces > 0)
     line("faces left out", grouped(outcome->result.refused_faces), "not manifold: OpenMesh cannot hold them",
          colour::warning);
-  if (outcome->recipe.target.any())
-    line("target", outcome->result.target_reached ? "reached" : "not reached", "of the recipe",
-         outcome->result.target_reached ? colour::text : colour::warning);
+  if (outcome->recipe.target.any()) {
+    std::string why;
+    for (const std::string& reason : recipe::reasons(outcome->recipe, outcome->result))
+      why += (why.empty() ? "" : "; ") + reason;
+    line("target", why.empty() ? "reached" : "not reached", why.empty() ? "of the recipe" : why.c_str(),
+         why.empty() ? colour::text : colour::warning);
+  }
   ImGui::EndTable();
 }
 
@@ -165,6 +174,7 @@ void draw_numbers_panel(Ui& ui, const Rect& place) {
     quiet_text("Open a mesh, or drop a file on the window.");
   } else {
     counts(ui);
+    reading(ui);
     ImGui::Spacing();
     reduction(ui);
     distances(ui);

@@ -181,7 +181,7 @@ void draw_over_views(Ui& ui) {
     if (ui.session.loading()) return;
     return label({static_cast<float>(ui.area.x) + 0.5f * static_cast<float>(ui.area.width),
                   static_cast<float>(ui.area.y) + 0.48f * static_cast<float>(ui.area.height)},
-                 "Drop a mesh here: OBJ, PLY, OFF or STL", ui.scale, 0.5f);
+                 "Drop a mesh here: OBJ, PLY, OFF, STL, OM, GLB, glTF", ui.scale, 0.5f);
   }
   middle_line(ui);
   split_line(ui);

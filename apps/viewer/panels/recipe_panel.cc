@@ -93,6 +93,37 @@ void target(Ui& ui) {
   if (just_released()) ui.session.end_of_drag();
 }
 
+/// A slider over a length, in the unit that it has.
+bool length_slider(recipe::Length& length, const recipe::Scale& scale) {
+  const recipe::Length percent{1, "%"}, own{1, length.unit};
+  const double unit = percent.in(scale) / own.in(scale);  // a percent of the diagonal
+  const double low = 0.01 * unit, high = 5 * unit;
+  const char* format = length.unit == "%"   ? "%.3g %% of the diagonal"
+                       : length.unit == "e" ? "%.3g mean edges"
+                                            : "%.3g model units";
+  if (!ImGui::SliderScalar("##bound", ImGuiDataType_Double, &length.amount, &low, &high, format,
+                           ImGuiSliderFlags_Logarithmic))
+    return false;
+  length.amount = rounded(std::max(length.amount, low), 3);
+  return true;
+}
+
+void bound(Ui& ui) {
+  recipe::Recipe changed = ui.session.recipe();
+  bool on = changed.max_distance.has_value();
+  if (ImGui::Checkbox("No farther from the original than", &on)) {
+    changed.max_distance = on ? std::optional(recipe::Length{0.5, "%"}) : std::nullopt;
+    ui.session.change(changed);
+    return;
+  }
+  tip("A bound on the distance both ways; it is measured again and again, which takes a while");
+  const Model* model = ui.session.model();
+  if (!on || !model || !(model->scale.diagonal > 0) || !(model->scale.mean_edge > 0)) return;
+  ImGui::SetNextItemWidth(-1);
+  if (length_slider(*changed.max_distance, model->scale)) ui.session.change(changed, "bound");
+  if (just_released()) ui.session.end_of_drag();
+}
+
 void executor(Ui& ui) {
   constexpr struct {
     recipe::Driver driver;
@@ -184,6 +215,7 @@ void draw_recipe_panel(Ui& ui, const Rect& place) {
   add_button(ui);
   heading("Target");
   target(ui);
+  bound(ui);
   heading("Executor");
   executor(ui);
   delaunay(ui);

@@ -19,7 +19,7 @@ void file_buttons(Ui& ui) {
   ImGui::BeginDisabled(!ui.session.outcome());
   if (ImGui::Button("Export")) ui.open_dialog(Dialog::export_result, ui.stem() + "-whittled.ply");
   ImGui::EndDisabled();
-  tip("Write the result as OBJ, PLY, OFF or STL (Ctrl+E)");
+  tip("Write the result as OBJ, PLY, OFF, STL, OM or GLB (Ctrl+E)");
   ImGui::SameLine();
   if (ImGui::Button("Picture")) ui.open_dialog(Dialog::picture, ui.stem() + ".png");
   tip("Write what the views show as PNG, at any size (Ctrl+P)");

@@ -122,7 +122,11 @@ void App::take_input() {
 void App::take_news() {
   const News news = session_.poll();
   if (news.any()) frames_due_ = kAnswer;
-  if (!news.written.empty()) ui_.say("Written: " + news.written);
+  if (!news.written.empty()) {
+    std::string said = "Written: " + news.written;
+    for (const std::string& line : news.left_out) said += "; " + line;
+    ui_.say(said);
+  }
   try {
     scene_->update(session_, news);
   } catch (const render::RenderError& error) {

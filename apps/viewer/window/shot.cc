@@ -55,6 +55,7 @@ void App::finish_shot() {
   glDisable(GL_SCISSOR_TEST);
   session_.begin_write(path, [path = path, image = framebuffer.read(), caption = picture_caption()] {
     files::write_file(path, render::encode_png(image, caption));
+    return std::vector<std::string>();
   });
 }
 

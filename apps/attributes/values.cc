@@ -1,0 +1,61 @@
+#include "attributes/values.hh"
+
+#include <cmath>
+#include <cstdint>
+
+namespace whittle::attributes {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu, kSeveral = 0xfffffffeu;
+
+/// Which value each vertex has; kNone where it is in no face.
+std::vector<std::uint32_t> single_values(const IndexedMesh& mesh, const Attribute& attribute) {
+  std::vector<std::uint32_t> single(mesh.points.size(), kNone);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::uint32_t& known = single[mesh.triangles[f][k]];
+      const std::uint32_t value = attribute.at(mesh, f, k);
+      if (known == kNone) known = value;
+      if (known != value) known = kSeveral;
+    }
+  return single;
+}
+
+}  // namespace
+
+double ValueWeights::of(Kind kind) const {
+  switch (kind) {
+    case Kind::normal:
+      return normals;
+    case Kind::colour:
+      return colours;
+    case Kind::texture:
+      return texture;
+    default:
+      return 0;
+  }
+}
+
+WeightedValues weighted_values(const IndexedMesh& mesh, const Attributes& attributes,
+                               const ValueWeights& weights) {
+  WeightedValues out;
+  for (const Attribute& attribute : attributes)
+    if (weights.of(attribute.kind) > 0) out.count += attribute.components;
+  out.values.resize(out.count * mesh.points.size());
+  std::size_t first = 0;
+  for (const Attribute& attribute : attributes) {
+    const double weight = weights.of(attribute.kind);
+    if (!(weight > 0)) continue;
+    const std::vector<std::uint32_t> single = single_values(mesh, attribute);
+    for (std::size_t v = 0; v < single.size(); ++v)
+      for (std::size_t i = 0; i < attribute.components; ++i)
+        out.values[out.count * v + first + i] =
+            single[v] == kNone || single[v] == kSeveral
+                ? std::nanf("")
+                : static_cast<float>(weight * static_cast<double>(attribute.value(single[v])[i]));
+    first += attribute.components;
+  }
+  return out;
+}
+
+}  // namespace whittle::attributes

@@ -1,0 +1,104 @@
+/// \file
+/// Threads that stay together for many short rounds of work.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace whittle {
+
+/// The calling thread and its helpers. Nobody waits for a helper that wakes up when a round is over.
+class Crew {
+ public:
+  /// \param n_threads  with the calling one; fewer if there are no more to be had
+  explicit Crew(std::size_t n_threads) {
+    for (std::size_t i = 1; i < n_threads; ++i) try {
+        helpers_.emplace_back([this] { help(); });
+      } catch (const std::system_error&) {
+        break;
+      }
+  }
+  ~Crew() {
+    {
+      const std::lock_guard lock(mutex_);
+      ending_ = true;
+    }
+    begun_.notify_all();
+    for (std::thread& helper : helpers_) helper.join();
+  }
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  std::size_t size() const { return helpers_.size() + 1; }  ///< threads, with the calling one
+
+  /// Calls `work(i)` for each i below n, on any of the threads. \throw  what the work of the least i throws
+  void each(std::size_t n, const std::function<void(std::size_t)>& work);
+
+ private:
+  void help();
+  void take_items();
+
+  std::vector<std::thread> helpers_;
+  std::mutex mutex_;
+  std::condition_variable begun_, ended_;
+  std::size_t round_ = 0, active_ = 0;  // rounds begun; helpers at work
+  bool open_ = false, ending_ = false;
+  const std::function<void(std::size_t)>* work_ = nullptr;
+  std::size_t n_ = 0;
+  std::atomic<std::size_t> next_{0};
+  std::vector<std::exception_ptr> errors_;
+};
+
+inline void Crew::each(std::size_t n, const std::function<void(std::size_t)>& work) {
+  if (helpers_.empty() || n < 2) {
+    for (std::size_t i = 0; i < n; ++i) work(i);
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    work_ = &work;
+    n_ = n;
+    next_ = 0;
+    errors_.assign(n, nullptr);
+    open_ = true;
+    ++round_;
+  }
+  begun_.notify_all();
+  take_items();
+  std::unique_lock lock(mutex_);
+  open_ = false;
+  ended_.wait(lock, [&] { return active_ == 0; });
+  for (const std::exception_ptr& error : errors_)
+    if (error) std::rethrow_exception(error);
+}
+
+inline void Crew::take_items() {
+  for (std::size_t i = next_++; i < n_; i = next_++) try {
+      (*work_)(i);
+    } catch (...) {
+      errors_[i] = std::current_exception();
+    }
+}
+
+inline void Crew::help() {
+  std::unique_lock lock(mutex_);
+  for (std::size_t seen = 0;;) {
+    begun_.wait(lock, [&] { return ending_ || (open_ && round_ != seen); });
+    if (ending_) return;
+    seen = round_;
+    ++active_;
+    lock.unlock();
+    take_items();
+    lock.lock();
+    if (--active_ == 0) ended_.notify_one();
+  }
+}
+
+}  // namespace whittle

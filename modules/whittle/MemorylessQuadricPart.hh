@@ -1,0 +1,138 @@
+/// \file
+/// A part of the mesh that mq plans on, with the queue of its edges.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "whittle/BucketQueue.hh"
+#include "whittle/CollapsePlan.hh"
+#include "whittle/MemorylessQuadricCollapse.hh"
+#include "whittle/MemorylessQuadricMesh.hh"
+
+namespace whittle {
+
+/// How far there is to go.
+struct MemorylessQuadricGoal {
+  std::size_t faces = 0, vertices = 0;  ///< that must still vanish; the goal is reached when one is 0
+  std::size_t all = 1;                  ///< what `remaining` was at the start
+
+  std::size_t remaining() const { return std::min(faces, 2 * vertices); }  ///< in faces
+  void count(const Collapse& collapse) {
+    faces -= std::min<std::size_t>(faces, collapse.faces);
+    vertices -= vertices > 0;
+  }
+};
+
+/// The edges in the faces of a part. Parts work at the same time: one judges an edge only if
+/// all that the collapse would touch is its own, and leaves the others as strays. That of everything takes
+/// all edges, but works alone.
+class MemorylessQuadricPart {
+ public:
+  struct Done {
+    Collapse collapse;
+    std::size_t bucket;
+  };
+  struct Stray {
+    Corner edge;
+    std::size_t bucket;
+  };
+
+  MemorylessQuadricPart(MemorylessQuadricMesh& mesh, MemorylessQuadricMesh::Part number)
+      : mesh_(mesh), hand_(mesh.hand(number)) {}
+
+  /// Queues the edges of some faces, or leaves them as strays.
+  void queue_all(std::size_t first_face, std::size_t last_face);
+
+  void push(const Stray& stray) { queue_.push(stray.edge, stray.bucket); }
+
+  /// Collapses what is in the queue below a bucket, until the goal is reached.
+  void work(std::size_t end, MemorylessQuadricGoal goal);
+
+  const BucketQueue& queue() const { return queue_; }
+  std::vector<Done> done;  ///< in order; the caller empties it
+  std::vector<Stray> strays;
+
+ private:
+  void enqueue(Corner c, std::size_t bucket) {
+    mesh_.table().face(c).queued |= bit_of(c);
+    queue_.push(c, bucket);
+  }
+  static std::uint16_t bit_of(Corner c) { return static_cast<std::uint16_t>(1u << (c & 3)); }
+  bool has(Corner c) const {
+    return hand_.part == MemorylessQuadricMesh::kEverywhere || mesh_.table().face(c).part == hand_.part;
+  }
+  void prefetch() const;
+
+  MemorylessQuadricMesh& mesh_;
+  MemorylessQuadricMesh::Hand hand_;
+  BucketQueue queue_;
+};
+
+inline void MemorylessQuadricPart::queue_all(std::size_t first_face, std::size_t last_face) {
+  CornerTable& table = mesh_.table();
+  for (Corner f = static_cast<Corner>(4 * first_face); f < 4 * last_face; f += 4)
+    for (Corner c = f; c < f + 3; ++c) {
+      if ((table.twin(c) != kNoCorner && c > table.twin(c)) || !mesh_.is_movable(c)) continue;
+      const std::size_t bucket = BucketQueue::bucket_of(mesh_.place(c).cost);
+      table.face(c).queued |= bit_of(c);
+      if (has(c))
+        queue_.push(c, bucket);
+      else
+        strays.push_back({c, bucket});
+    }
+}
+
+/// Asks for the memory of the edges that come next.
+inline void MemorylessQuadricPart::prefetch() const {
+#if defined(__GNUC__)
+  if (const std::uint32_t* later = queue_.peek(16)) __builtin_prefetch(&mesh_.table().face(*later));
+  if (const std::uint32_t* soon = queue_.peek(4)) mesh_.prefetch(*soon, hand_);
+#endif
+}
+
+inline void MemorylessQuadricPart::work(std::size_t end, MemorylessQuadricGoal goal) {
+  CornerTable& table = mesh_.table();
+  Corner c = 0;
+  while (goal.remaining() > 0 && queue_.pop(c, end)) {
+    prefetch();
+    if (!has(c)) {
+      strays.push_back({c, queue_.bucket()});
+      continue;
+    }
+    std::uint16_t& queued = table.face(c).queued;
+    if (table.is_dead(c) || !(queued & bit_of(c))) continue;
+    queued &= static_cast<std::uint16_t>(~bit_of(c));
+    if (!mesh_.is_movable(c)) continue;
+    const auto placement = mesh_.place(c);
+    const std::size_t bucket = BucketQueue::bucket_of(placement.cost);
+    // Its surroundings may have changed since it was queued. Far from the target a little dearer is good
+    // enough.
+    constexpr float kOctaves = 2;
+    const float tolerance = kOctaves * BucketQueue::kBucketsPerOctave * static_cast<float>(goal.remaining()) /
+                            static_cast<float>(goal.all);
+    if (bucket > queue_.bucket() + static_cast<std::size_t>(tolerance)) {
+      enqueue(c, bucket);
+      continue;
+    }
+    const auto verdict = mesh_.judge(c, placement, hand_);
+    if (verdict == MemorylessQuadricMesh::Verdict::elsewhere) {
+      queued |= bit_of(c);
+      strays.push_back({c, bucket});
+    } else if (verdict == MemorylessQuadricMesh::Verdict::legal) {
+      std::array<Corner, 2> unqueued;
+      done.push_back({mesh_.collapse(c, placement, hand_, unqueued), queue_.bucket()});
+      goal.count(done.back().collapse);
+      for (const Corner at : unqueued)
+        if (at != kNoCorner) enqueue(at, BucketQueue::bucket_of(mesh_.place(at).cost));
+    } else if (queue_.bucket() + 1 < BucketQueue::kBuckets) {
+      enqueue(c, queue_.bucket() + 4 * BucketQueue::kBucketsPerOctave);  // its surroundings may change yet
+    }
+  }
+}
+
+}  // namespace whittle
