@@ -10,7 +10,7 @@
 namespace whittle::files {
 
 /// A receiver for nlohmann's `sax_parse`. The parser that takes a callback looks through the whole list again
-/// at the end of each object in it, which takes hours for a list of a million.
+/// at the end of each object in it, which takes time with the square of its length.
 /// \tparam Wanted  called with the depth, 1 in the outermost object, and each key; false: its value is left
 ///                 out and looked into no further.
 template <typename Wanted>
