@@ -1,16 +1,21 @@
 #!/usr/bin/env bash
 # The Debian package: builds it, installs it on a bare Debian 12 and simplifies a mesh there. Needs root and debootstrap.
-#   test/package/run.sh   leaves the packages in build/package
+#   test/package/run.sh [BUILD]   leaves the packages in build/package
+# BUILD  a finished release build to pack; without, one is made in build/package
 # The bare system is made once, in build/bare, with the mirror that debootstrap takes by default.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-build=build/package bare=build/bare
+packages=build/package bare=build/bare
+build=${1:-$packages}
 
-cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DWHITTLE_TESTS=OFF >/dev/null
-cmake --build "$build"
-rm -f "$build"/*.deb
-(cd "$build" && cpack -G DEB)
+if (($# == 0)); then
+  cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DWHITTLE_TESTS=OFF >/dev/null
+  cmake --build "$build"
+fi
+mkdir -p "$packages"
+rm -f "$packages"/*.deb
+cpack -G DEB --config "$build/CPackConfig.cmake" -B "$packages"
 
 if [[ ! -e $bare/complete ]]; then
   rm -rf "$bare"
@@ -21,7 +26,7 @@ fi
 root=$(mktemp -d)
 trap 'umount "$root/proc" 2>/dev/null || true; rm -rf "$root"' EXIT
 cp -a "$bare/." "$root"
-cp "$build"/*.deb "$root/tmp"
+cp "$packages"/*.deb "$root/tmp"
 cp -L /etc/resolv.conf "$root/etc/resolv.conf"
 mount -t proc proc "$root/proc"
 
@@ -36,8 +41,7 @@ for program in /usr/bin/whittle*; do
   if ldd "$program" | grep 'not found'; then exit 1; fi
 done
 whittle --version
-# minbase leaves out no documentation, but has no man.
-test -e /usr/share/man/man1/whittle.1.gz -o -e /usr/share/man/man1/whittle.1
+test -e /usr/share/man/man1/whittle.1  # the base system has no man to ask
 bash -n /usr/share/bash-completion/completions/whittle
 test -e /usr/share/zsh/vendor-completions/_whittle
 test -e /usr/share/fish/vendor_completions.d/whittle.fish
@@ -55,4 +59,4 @@ whittle info small.glb
 apt-get purge -y -q whittle >/dev/null 2>&1
 test ! -e /usr/bin/whittle
 INSIDE
-echo "test/package/run.sh: installed, ran and went again: $(cd "$build" && ls -- *.deb | tr '\n' ' ')"
+echo "test/package/run.sh: installed, ran and went again: $(cd "$packages" && ls -- *.deb | tr '\n' ' ')"
