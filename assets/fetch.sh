@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fetches test models into assets/cache/: fetch.sh [bunny|suzanne|dragon|all], default bunny.
+# Fetches test models into assets/cache/: fetch.sh [bunny|suzanne|dragon|armadillo|fandisk|all], default bunny.
 # README.md beside this script says where each comes from and under which conditions.
 set -euo pipefail
 export LC_ALL=C
@@ -115,6 +115,25 @@ fetch_dragon() {
   mv "$work/dragon.ply" "$cache/dragon.ply"
 }
 
+# Counts from the header of an OFF file.
+off_counts() { [[ -f $1 ]] && [[ $(sed -n 2p "$1") == "$2 $3 0" ]]; }
+
+armadillo_ok() { off_counts "$1" 26002 52000; }
+fandisk_ok() { off_counts "$1" 6475 12946; }
+
+# Both are in CGAL's data: fetch_of_cgal NAME FILE
+fetch_of_cgal() {
+  know_package libcgal-demo
+  echo "fetch: downloading the package libcgal-demo for $1"
+  (cd "$work" && apt-get download -q -o APT::Sandbox::User=root libcgal-demo) || fail "cannot download libcgal-demo"
+  dpkg-deb --fsys-tarfile "$work"/libcgal-demo_*.deb | tar -xO ./usr/share/doc/libcgal-dev/data.tar.gz |
+    tar -xzO "data/meshes/$1" >"$work/$2"
+  "${2%.off}_ok" "$work/$2" || fail "$1 of libcgal-demo has other counts than expected"
+  mv "$work/$2" "$cache/$2"
+}
+fetch_armadillo() { fetch_of_cgal armadillo.off armadillo.off; }
+fetch_fandisk() { fetch_of_cgal fandisk.off fandisk.off; }
+
 fetch() {
   local model=$1 file=$2
   if "${model}_ok" "$cache/$file"; then
@@ -129,13 +148,17 @@ case ${1:-bunny} in
   bunny) fetch bunny bunny.obj ;;
   suzanne) fetch suzanne suzanne.obj ;;
   dragon) fetch dragon dragon.ply ;;
+  armadillo) fetch armadillo armadillo.off ;;
+  fandisk) fetch fandisk fandisk.off ;;
   all)
     fetch bunny bunny.obj
     fetch suzanne suzanne.obj
     fetch dragon dragon.ply
+    fetch armadillo armadillo.off
+    fetch fandisk fandisk.off
     ;;
   *)
-    echo "usage: assets/fetch.sh [bunny|suzanne|dragon|all]" >&2
+    echo "usage: assets/fetch.sh [bunny|suzanne|dragon|armadillo|fandisk|all]" >&2
     exit 2
     ;;
 esac

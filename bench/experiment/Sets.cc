@@ -43,6 +43,23 @@ void add_curves(std::vector<SetDefinition>& sets) {
   }
 }
 
+/// The same ranked by the error that a merge adds and placed by quadrics, where that can be.
+void add_error_curves(std::vector<SetDefinition>& sets) {
+  const std::string settings = "placement=quadric,order=error";
+  const auto add = [&](const std::string& algorithm, const std::string& name, const std::string& parameter,
+                       const std::string& recipe) {
+    sets.push_back({name + "-by-error", algorithm + " " + parameter + ", by error", algorithm + " by error",
+                    parameter, recipe + "," + settings, "", Role::curve});
+  };
+  for (const std::string passes : {"1", "2", "3"})
+    add("VT", "vt-passes-" + passes, passes + "×", "vt:passes=" + passes);
+  for (const std::string d : {"0.0009", "0.0013", "0.002"}) add("IVDD", "ivdd-" + d, d, "ivdd:distance=" + d);
+  for (const std::string r : {"0.001", "0.0014", "0.002"}) {
+    add("SS", "ss-" + r, r, "ss:radius=" + r);
+    add("FASS", "fass-" + r + "-30", r, "fass:radius=" + r + ",angle=30");
+  }
+}
+
 void add_literal(std::vector<SetDefinition>& sets) {
   const auto add = [&](const std::string& base, const std::string& algorithm, const std::string& parameter,
                        const std::string& words, const std::string& recipe) {
@@ -108,6 +125,7 @@ const std::vector<SetDefinition>& paper2_sets() {
 std::vector<SetDefinition> beyond_sets(const std::vector<PeerName>& peers) {
   std::vector<SetDefinition> sets = {original()};
   add_curves(sets);
+  add_error_curves(sets);
   for (const PeerName& peer : peers)
     for (const std::string base : kOneEach)
       sets.push_back(

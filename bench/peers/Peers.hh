@@ -1,5 +1,5 @@
 /// \file
-/// Other people's simplifiers, to compare with at the same number of triangles.
+/// Simplifiers down to a number of triangles, to compare with: other people's, and mq.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct PeerResult {
 };
 
 struct Peer {
-  std::string name;   ///< "openmesh", "meshopt", "cgal"
+  std::string name;   ///< "openmesh", "meshopt", "mq", "cgal"
   std::string label;  ///< for readers
   PeerResult (*simplify)(const IndexedMesh& mesh, std::size_t triangles);
 };
@@ -26,6 +26,7 @@ const std::vector<Peer>& peers();
 
 PeerResult simplify_openmesh(const IndexedMesh& mesh, std::size_t triangles);  ///< DecimaterT, ModQuadricT
 PeerResult simplify_meshopt(const IndexedMesh& mesh, std::size_t triangles);   ///< meshopt_simplify
+PeerResult simplify_mq(const IndexedMesh& mesh, std::size_t triangles);        ///< Whittle's own
 PeerResult simplify_cgal(const IndexedMesh& mesh, std::size_t triangles);  ///< Lindstrom and Turk's policies
 
 /// The mesh with its triangles in meshoptimizer's order for a vertex cache; the vertices stay as they are.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "chart/ScatterChart.hh"
 #include "report/sections.hh"
@@ -7,12 +8,27 @@
 namespace whittle::bench {
 namespace {
 
+/// How long a frame of a set takes, or how long the set took to make; in milliseconds, none if unknown.
+using Time = std::optional<double> (*)(const SetResult& set, const ExperimentResult& e);
+
+std::optional<double> frame_time(const SetResult& set, const ExperimentResult& e) {
+  const auto f = figures(set, e);
+  if (!f) return std::nullopt;
+  return f->frame_mean_ms.median;
+}
+
+std::optional<double> decimation_time(const SetResult& set, const ExperimentResult& /*e*/) {
+  if (!(set.decimation_ms > 0)) return std::nullopt;
+  return set.decimation_ms;
+}
+
 /// A point of the scatter charts, with the value of `error`.
 template <typename Error>
-void add_point(chart::ScatterSeries& series, const SetResult& set, const ExperimentResult& e, Error error) {
-  const auto f = figures(set, e);
-  if (!f || !set.fidelity) return;
-  const double y = error(*set.fidelity), x = f->frame_mean_ms.median;
+void add_point(chart::ScatterSeries& series, const SetResult& set, const ExperimentResult& e, Time time,
+               Error error) {
+  const auto ms = time(set, e);
+  if (!ms || !set.fidelity) return;
+  const double y = error(*set.fidelity), x = *ms;
   if (y > 0)
     series.points.push_back({x, y,
                              set.definition.label + ": " + fixed(x, 3) + " ms, " + short_number(y) + ", " +
@@ -20,9 +36,10 @@ void add_point(chart::ScatterSeries& series, const SetResult& set, const Experim
 }
 
 template <typename Error>
-chart::ScatterChart tradeoff_chart(const ExperimentResult& e, Error error) {
+chart::ScatterChart tradeoff_chart(const ExperimentResult& e, Time time, Error error) {
   chart::ScatterChart chart;
-  chart.x_axis = "time of a frame, ms (left is faster)";
+  chart.x_axis = time == frame_time ? "time of a frame, ms (left is faster)" : "time of the decimation, ms";
+  if (time == decimation_time) chart.x_scale = chart::Scale::logarithmic;
   chart.y_scale = chart::Scale::logarithmic;
   // From many triangles to few, which is the order of a threshold.
   std::vector<const SetResult*> sets;
@@ -37,7 +54,7 @@ chart::ScatterChart tradeoff_chart(const ExperimentResult& e, Error error) {
                    [](const auto* a, const auto* b) { return a->triangles > b->triangles; });
   for (auto& series : chart.series)
     for (const SetResult* const set : sets)
-      if (set->definition.algorithm == series.name) add_point(series, *set, e, error);
+      if (set->definition.algorithm == series.name) add_point(series, *set, e, time, error);
   chart.series.erase(std::remove_if(chart.series.begin(), chart.series.end(),
                                     [](const auto& s) { return s.points.empty(); }),
                      chart.series.end());
@@ -68,15 +85,22 @@ Section tradeoff_section(const ExperimentResult& e) {
   section.blocks.push_back(
       Paragraph{"Each algorithm is a curve over its threshold (VT: over its passes), the other simplifiers "
                 "over the triangle "
-                "counts of Whittle's sets. Lower and further to the left is better. Rest the mouse on a "
+                "counts of Whittle's sets. By error: the same algorithm with the cheapest merges first and "
+                "places by quadrics. Lower and further to the left is better. Rest the mouse on a "
                 "point for its set."});
-  auto rms = tradeoff_chart(e, [&](const Fidelity& f) { return 100 * f.rms / e.model.mean_edge; });
+  const auto rms_of = [&](const Fidelity& f) { return 100 * f.rms / e.model.mean_edge; };
+  auto rms = tradeoff_chart(e, frame_time, rms_of);
   rms.title = "RMS error of each set against the time of a frame, one curve an algorithm";
   rms.y_axis = "RMS error, % of the mean edge";
   if (rms.series.empty()) return section;
   section.blocks.push_back(
       Chart{"error-frame-time", "Two-sided RMS error against the time of a frame.", rms.svg()});
-  auto ssim = tradeoff_chart(e, [](const Fidelity& f) { return 1 - f.ssim; });
+  auto cost = tradeoff_chart(e, decimation_time, rms_of);
+  cost.title = "RMS error of each set against the time of its decimation, one curve an algorithm";
+  cost.y_axis = rms.y_axis;
+  section.blocks.push_back(Chart{
+      "error-decimation-time", "Two-sided RMS error against the time that the decimation took.", cost.svg()});
+  auto ssim = tradeoff_chart(e, frame_time, [](const Fidelity& f) { return 1 - f.ssim; });
   ssim.title = "Image difference of each set against the time of a frame";
   ssim.y_axis = "1 − SSIM";
   section.blocks.push_back(Chart{
@@ -92,7 +116,7 @@ Section peer_section(const ExperimentResult& e) {
                 "the simplifier alone, without reading files: Whittle's bulk executor and planner on flat "
                 "arrays, OpenMesh's "
                 "DecimaterT with ModQuadricT from Debian's library (built with assertions), meshoptimizer's "
-                "meshopt_simplify, CGAL's "
+                "meshopt_simplify, Whittle's mq, CGAL's "
                 "edge_collapse with Lindstrom and Turk's policies. RMS and max are in % of the mean edge."});
   Table table{"The same number of triangles, by different means",
               {"Simplifier", "Triangles", "Decimation, ms", "RMS", "Max", "Normals, °", "Quality", "PSNR, dB",

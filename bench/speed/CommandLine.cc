@@ -17,6 +17,7 @@ std::string one_line(std::string text) {
 std::vector<Suite> suites(const std::string& name) {
   if (name == "figures") return {Suite::figures};
   if (name == "growth") return {Suite::growth};
+  if (name == "truth") return {Suite::truth};
   return {Suite::figures, Suite::growth};
 }
 
@@ -31,9 +32,11 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
                "whittle-speed");
   app.set_version_flag("--version", std::string("whittle-speed ") + WHITTLE_VERSION);
   app.add_option("models", models, "Mesh files (default: the bunny and the dragon in assets/cache)");
-  app.add_option("--suite", suite, "figures: everybody; growth: how times grow with the model; all: both")
+  app.add_option(
+         "--suite", suite,
+         "figures: everybody; growth: how times grow with the model; all: both; truth: how true mq is")
       ->capture_default_str()
-      ->check(CLI::IsMember({"figures", "growth", "all"}));
+      ->check(CLI::IsMember({"figures", "growth", "all", "truth"}));
   app.add_option("--rounds", line.rounds, "How often each contender is timed (default: 7; growth: 3)")
       ->check(CLI::Range(1, 1000));
   app.add_option("--samples", line.samples, "Samples a side for the distances of the results")

@@ -1,6 +1,7 @@
 #include "speed/Score.hh"
 
 #include "measure/MeshFacts.hh"
+#include "speed/peers/peers.hh"
 #include "whittle/errors.hh"
 
 namespace whittle::speed {
@@ -16,7 +17,14 @@ Score Scorer::score(const Arrays& result) {
   score.vertices = facts.vertices;
   score.faces = facts.faces;
   score.nonmanifold_edges = facts.nonmanifold_edges;
+  score.nonmanifold_vertices = facts.nonmanifold_vertices;
+  score.boundary_loops = facts.boundary_loops;
+  score.components = facts.components;
+  score.euler_characteristic = facts.euler_characteristic;
   score.checksum = sum;
+#ifdef WHITTLE_WITH_CGAL
+  if (intersections_) score.self_intersections = cgal_self_intersections(result);
+#endif
   try {
     measure::DistanceOptions options;
     options.samples = samples_;

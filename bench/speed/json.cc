@@ -39,6 +39,11 @@ Json score_json(const Score& score) {
   return {{"vertices", score.vertices},
           {"faces", score.faces},
           {"nonmanifold_edges", score.nonmanifold_edges},
+          {"nonmanifold_vertices", score.nonmanifold_vertices},
+          {"euler_characteristic", score.euler_characteristic},
+          {"boundary_loops", score.boundary_loops},
+          {"components", score.components},
+          {"self_intersections", score.self_intersections ? Json(*score.self_intersections) : Json(nullptr)},
           {"distance", score.distance ? distance_json(*score.distance) : Json(nullptr)},
           {"checksum", hexadecimal(score.checksum)}};
 }
@@ -98,6 +103,7 @@ Json suite_json(const Settings& settings, const std::vector<ModelResults>& model
                     {"mean_edge_units", subject.mean_edge},
                     {"array_bytes", subject.array_bytes()},
                     {"checksum", hexadecimal(subject.checksum)},
+                    {"input", model.input ? score_json(*model.input) : Json(nullptr)},
                     {"results", results}});
   }
   return {{"suite", to_string(settings.suite)},

@@ -13,13 +13,7 @@ void append(std::vector<Entry>& entries, std::vector<Entry> more) {
   std::move(more.begin(), more.end(), std::back_inserter(entries));
 }
 
-}  // namespace
-
-std::string to_string(Suite suite) {
-  return suite == Suite::figures ? "figures" : "growth";
-}
-
-std::vector<Entry> lineup(Suite suite, const Subject& subject, const std::optional<std::regex>& only) {
+std::vector<Entry> everybody(Suite suite, const Subject& subject) {
   std::vector<Target> like_planned;
   for (const Target& planned : planned_faces(subject))
     like_planned.push_back({"as " + planned.name, planned.faces});
@@ -44,6 +38,32 @@ std::vector<Entry> lineup(Suite suite, const Subject& subject, const std::option
     append(entries, vtk_entries(shares));
 #endif
   }
+  return entries;
+}
+
+/// Who is to go down to a share of the faces as truly as possible.
+std::vector<Entry> truthful(const Subject& subject) {
+  std::vector<Target> shares;
+  for (const auto& [name, part] : {std::pair("50 %", 0.5), {"25 %", 0.25}, {"10 %", 0.1}, {"1 %", 0.01}})
+    shares.push_back({name, static_cast<std::size_t>(part * static_cast<double>(subject.n_faces()))});
+  std::vector<Entry> entries = mq_entries(shares);
+  append(entries, mq_entries(shares, 1));
+  append(entries, meshopt_entries(shares));
+#ifdef WHITTLE_WITH_CGAL
+  for (Entry& entry : cgal_entries(shares))
+    if (entry.method == "CGAL Lindstrom-Turk") entries.push_back(std::move(entry));
+#endif
+  return entries;
+}
+
+}  // namespace
+
+std::string to_string(Suite suite) {
+  return suite == Suite::figures ? "figures" : suite == Suite::growth ? "growth" : "truth";
+}
+
+std::vector<Entry> lineup(Suite suite, const Subject& subject, const std::optional<std::regex>& only) {
+  std::vector<Entry> entries = suite == Suite::truth ? truthful(subject) : everybody(suite, subject);
   if (only) {
     const auto left_out = [&](const Entry& entry) { return !std::regex_search(entry.name(), *only); };
     entries.erase(std::remove_if(entries.begin(), entries.end(), left_out), entries.end());

@@ -13,7 +13,8 @@ namespace whittle::speed {
 
 enum class Suite {
   figures,  ///< everybody, on models of ordinary size
-  growth    ///< sweep, bulk and meshopt_simplify, on models of growing size
+  growth,   ///< sweep, bulk and meshopt_simplify, on models of growing size
+  truth     ///< mq, meshopt_simplify and CGAL's Lindstrom-Turk down to many shares, with their topology
 };
 
 std::string to_string(Suite suite);

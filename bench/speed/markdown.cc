@@ -122,6 +122,25 @@ void write_model(std::ostream& out, const Json& run, const Json& suite, const Js
   out << "\n";
 }
 
+/// What of the topology each result has kept, where the model itself was looked at.
+void write_topology(std::ostream& out, const Json& model) {
+  const Json input = model.value("input", Json());
+  if (input.is_null()) return;
+  out << "| | Euler characteristic | boundary loops | pieces | non-manifold vertices | self-intersections "
+         "|\n|---|--:|--:|--:|--:|--:|\n";
+  const auto row = [&](const std::string& name, const Json& score) {
+    out << "| " << name;
+    for (const char* key : {"euler_characteristic", "boundary_loops", "components", "nonmanifold_vertices",
+                            "self_intersections"})
+      out << " | " << (score.at(key).is_null() ? "" : score.at(key).dump());
+    out << " |\n";
+  };
+  row("the model", input);
+  for (const Json& result : model.at("results"))
+    if (!result.at("score").is_null()) row(text(result.at("name")), result.at("score"));
+  out << "\n";
+}
+
 /// Where the time of the contenders goes that tell it.
 void write_phases(std::ostream& out, const Json& model) {
   const Json* copy = nullptr;
@@ -157,6 +176,7 @@ std::string markdown(const std::vector<Json>& runs) {
     for (const Json& suite : run.at("suites"))
       for (const Json& model : suite.at("models")) {
         write_model(out, run, suite, model);
+        write_topology(out, model);
         write_phases(out, model);
       }
   return out.str();

@@ -74,7 +74,9 @@ std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector
 
   progress.expect(visits.size() * (rounds + 1));
   for (ModelResults& model : models) {
-    Scorer scorer(*model.subject, settings.suite == Suite::figures ? settings.samples : 0);
+    Scorer scorer(*model.subject, settings.suite == Suite::growth ? 0 : settings.samples,
+                  settings.suite == Suite::truth);
+    if (settings.suite == Suite::truth) model.input = scorer.score(model.subject->arrays);
     for (Result& result : model.results) {
       progress.step("scoring, " + model.subject->name + ", " + result.entry.name());
       rehearse(*model.subject, scorer, result);

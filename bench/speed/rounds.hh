@@ -45,6 +45,7 @@ struct Result {
 struct ModelResults {
   const Subject* subject = nullptr;
   std::vector<Result> results;
+  std::optional<Score> input = {};  ///< of the model itself, in the suite of truth
 };
 
 /// Every round visits every contender on every model, in an order of its own (shuffled, the same on every

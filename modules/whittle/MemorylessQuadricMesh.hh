@@ -207,8 +207,10 @@ inline MemorylessQuadricMesh::MemorylessQuadricMesh(MortonOrder order, float min
   table_ = CornerTable(order.triangles, rings, input_.size(), crew.size());
   for (std::uint32_t v = 0; v < input_.size(); ++v)
     if (rings.shape(v) == RingShape::complex) holds_[v] = kUntouchable;
-  constexpr std::size_t kPartSize = 16384;  // larger ones leave less between them, smaller ones fit the cache
-  const std::size_t n = input_.size(), n_parts = std::clamp<std::size_t>(n / kPartSize, 1, 0xffff);
+  // Larger parts leave less between them, smaller ones fit the cache; four keep several threads busy.
+  constexpr std::size_t kPartSize = 16384, kLeastSize = 4096, kSome = 4;
+  const std::size_t n = input_.size(), some = std::clamp<std::size_t>(n / kLeastSize, 1, kSome);
+  const std::size_t n_parts = std::clamp<std::size_t>(n / kPartSize, some, 0xffff);
   part_size_ = static_cast<std::uint32_t>(std::max<std::size_t>(1, (n + n_parts - 1) / n_parts));
   n_parts_ = static_cast<Part>(n_parts);
   find_first_faces();

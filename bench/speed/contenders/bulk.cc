@@ -1,3 +1,4 @@
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -47,25 +48,28 @@ class BulkContender : public Contender {
 /// mq needs no surface, and so has no phases.
 class MqContender : public Contender {
  public:
-  explicit MqContender(const MemorylessQuadric& planner) : planner_(planner) {}
+  MqContender(const MemorylessQuadric& planner, std::size_t threads) : planner_(planner) {
+    options_.threads = threads;
+  }
 
   void load(const Subject& subject) override { arrays_ = &subject.arrays; }
-  void decimate(Phases&) override { out_ = bulk(planner_, *arrays_); }
+  void decimate(Phases&) override { out_ = bulk(planner_, *arrays_, options_); }
   Arrays unload() override { return std::move(out_.mesh); }
 
  private:
   MemorylessQuadric planner_;
+  BulkOptions options_;
   const Arrays* arrays_ = nullptr;
   BulkResultT<float> out_;
 };
 
-template <typename ContenderOf, typename Planner>
-Entry entry_of(const char* module, const Planner& planner) {
+template <typename ContenderOf, typename... Settings>
+Entry entry_of(const std::string& module, const Settings&... settings) {
   Entry e;
   e.method = "bulk";
   e.module = module;
   e.in_place = true;
-  e.make = [planner] { return std::make_unique<ContenderOf>(planner); };
+  e.make = [settings...] { return std::make_unique<ContenderOf>(settings...); };
   return e;
 }
 
@@ -88,12 +92,13 @@ std::vector<Entry> bulk_entries(const Subject& subject) {
           entry("vtd", vtd),           entry("fass", Chain<FaceAngle, SphereScan>{{FaceAngle(), ss}})};
 }
 
-std::vector<Entry> mq_entries(const std::vector<Target>& targets) {
+std::vector<Entry> mq_entries(const std::vector<Target>& targets, std::size_t threads) {
   std::vector<Entry> entries;
   for (const Target& target : targets) {
     MemorylessQuadric mq;
     mq.target_faces = target.faces;
-    entries.push_back(entry_of<MqContender>("mq", mq));
+    entries.push_back(
+        entry_of<MqContender>(threads == 0 ? "mq" : "mq, threads: " + std::to_string(threads), mq, threads));
     entries.back().target = target.name;
     entries.back().target_faces = target.faces;
   }

@@ -17,8 +17,8 @@ inline constexpr double kDistanceInEdges = 0.75, kRadiusInEdges = 0.82;
 
 /// Planned modules on arrays.
 std::vector<Entry> bulk_entries(const Subject& subject);
-/// mq on arrays.
-std::vector<Entry> mq_entries(const std::vector<Target>& targets);
+/// mq on arrays. \param threads  0: as many as there are; else the name says how many
+std::vector<Entry> mq_entries(const std::vector<Target>& targets, std::size_t threads = 0);
 /// Planned modules in the sweep.
 std::vector<Entry> sweep_entries(const Subject& subject);
 /// Planned modules in LazyDecimaterT and in OpenMesh's DecimaterT.

@@ -1,5 +1,7 @@
 #include "peers/cgal_mesh.hh"  // first: the policies need the kernel
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
@@ -67,6 +69,18 @@ std::vector<Entry> cgal_entries(const std::vector<Target>& targets) {
     add("CGAL Garland-Heckbert", garland_heckbert);
   }
   return entries;
+}
+
+std::size_t cgal_self_intersections(const Arrays& arrays) {
+  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
+  CGAL::Surface_mesh<Exact::Point_3> mesh;
+  for (const auto& p : arrays.points) mesh.add_vertex({double(p[0]), double(p[1]), double(p[2])});
+  for (const auto& [a, b, c] : arrays.triangles)
+    mesh.add_face(decltype(mesh)::Vertex_index(a), decltype(mesh)::Vertex_index(b),
+                  decltype(mesh)::Vertex_index(c));
+  std::vector<std::pair<decltype(mesh)::Face_index, decltype(mesh)::Face_index>> pairs;
+  CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+  return pairs.size();
 }
 
 }  // namespace whittle::speed

@@ -16,6 +16,9 @@ std::vector<Entry> meshopt_entries(const std::vector<Target>& targets);
 std::vector<Entry> meshopt_sloppy_entries(const std::vector<Target>& targets);
 /// CGAL's edge collapse after Lindstrom and Turk, and after Garland and Heckbert.
 std::vector<Entry> cgal_entries(const std::vector<Target>& targets);
+/// How many pairs of faces intersect that share nothing, or more than they share. Faces that are not manifold
+/// are left out.
+std::size_t cgal_self_intersections(const Arrays& arrays);
 /// vtkQuadricDecimation, vtkDecimatePro, vtkQuadricClustering.
 std::vector<Entry> vtk_entries(const std::vector<Target>& targets);
 
