@@ -190,6 +190,54 @@ TEST_CASE("a mesh without faces goes through unchanged") {
   }
 }
 
+TEST_CASE("mq weighs attributes that the mesh has, as the first module") {
+  const IndexedMesh mesh = torus();
+  attributes::Attributes attributes(1);
+  attributes[0].kind = attributes::Kind::colour;
+  attributes[0].components = 3;
+  for (const auto& p : mesh.points)
+    for (const float value : {p.x() > 0 ? 1.0f : 0.0f, 0.5f, 0.5f}) attributes[0].values.push_back(value);
+  Givens givens;
+  givens.attributes = &attributes;
+  const Recipe plain = make({"mq"}, Driver::automatic, ratio(0.1)),
+               weighed = make({"mq:colours=10%"}, Driver::automatic, ratio(0.1));
+  const Result blind = run(mesh, plain, {}, givens), seeing = run(mesh, weighed, {}, givens);
+  // A face across the step has both colours: fewer of the result's faces lie there, if colours count.
+  const auto across = [](const Result& result) {
+    double area = 0;
+    for (const auto& t : result.mesh.triangles) {
+      float low = 1, high = 0;
+      for (const std::uint32_t v : t) {
+        low = std::min(low, *result.attributes[0].value(v));
+        high = std::max(high, *result.attributes[0].value(v));
+      }
+      const auto& p = result.mesh.points;
+      if (high - low > 0.1f) area += (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
+    }
+    return area;
+  };
+  CHECK(seeing.target_reached);
+  CHECK(across(seeing) < 0.7 * across(blind));
+
+  CHECK_THROWS_WITH(run(mesh, make({"mq:normals=1%"}, Driver::automatic, ratio(0.1)), {}, givens),
+                    Contains("no normals"));
+  CHECK_THROWS_WITH(check(make({"vt", "mq:colours=1%"}, Driver::automatic, ratio(0.1))),
+                    Contains("first module"));
+}
+
+TEST_CASE("every module comes within 1 % of its target") {
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(120, 70), 0.001, 2);
+  for (const char* spec : {"mq", "fad", "ivdd", "ss", "vtd", "fass", "vt", "quadric"})
+    for (const double share : {0.7, 0.4, 0.15}) {
+      INFO(spec << " to " << share);
+      const Result result = run(mesh, make({spec}, Driver::automatic, ratio(share)));
+      const double reached = double(result.mesh.triangles.size()) / double(mesh.triangles.size());
+      CHECK(result.target_reached);
+      CHECK(reached <= share);
+      CHECK(reached > share - 0.01);
+    }
+}
+
 TEST_CASE("recipes that cannot run are refused before any work") {
   const auto refused = [](const Recipe& recipe, const std::string& culprit) {
     CHECK_THROWS_AS(check(recipe), RecipeError);

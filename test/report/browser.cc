@@ -72,7 +72,7 @@ TEST_CASE("in a browser all charts and pictures are there, and the console has n
     REQUIRE(begin != std::string::npos);
     // Pictures: panorama and detail of the original, two details, two heat maps. Charts: two of Paper 1, two
     // of errors.
-    CHECK_THAT(dom.substr(begin, 200), Catch::Contains("\"6/6 pictures, 4/4 charts, ") &&
+    CHECK_THAT(dom.substr(begin, 200), Catch::Contains("\"6/6 pictures, 5/5 charts, ") &&
                                            Catch::Contains(" tables, 7/7 links, 0 fetched, fits\""));
   }
 }
