@@ -50,6 +50,36 @@ TEST_CASE("a model is opened, decimated and measured") {
   CHECK(json["distance"]["two_sided"]["max_units"] > 0);
 }
 
+TEST_CASE("all levels of mq come out of one plan, as whittle lods makes them") {
+  Opened opened;
+  Session& session = opened.session;
+  session.set_levels(true);
+  CHECK_FALSE(session.levels());  // the first recipe is not mq
+  session.change(parse_options("mq --ratio 0.5"));
+  CHECK(session.levels());
+  settle(session);
+  const recipe::Progression progression(session.model()->mesh());
+  for (const double ratio : {0.5, 0.3, 0.05, 0.8}) {
+    session.change(parse_options("mq --ratio " + std::to_string(ratio)), "slider");
+    settle(session);
+    REQUIRE(session.outcome_is_current());
+    const auto faces = static_cast<std::size_t>(ratio * 1920);
+    CHECK(session.outcome()->mesh().triangles == progression.at(faces).mesh.triangles);
+    CHECK(session.outcome()->from_levels);
+    if (ratio != 0.5) CHECK(session.outcome()->result.stages[0].plan_seconds == 0);
+  }
+  CHECK_THAT(session.command("a b.ply"),
+             Contains("whittle lods") && Contains("--out 'a b.ply'") && Contains("--levels 2 --ratio 0.8"));
+  session.set_levels(false);
+  CHECK_FALSE(session.outcome_is_current());
+  settle(session);
+  CHECK_FALSE(session.outcome()->from_levels);
+  CHECK_THAT(session.command("a.ply"), Contains("whittle simplify"));
+  session.set_levels(true);
+  session.change(parse_options("mq --ratio 0.5 --delaunay 20"));
+  CHECK_FALSE(session.levels());
+}
+
 TEST_CASE("the last of many quick changes wins") {
   Opened opened;
   for (int i = 1; i <= 30; ++i)

@@ -1,5 +1,6 @@
 #include "model/Model.hh"
 
+#include <algorithm>
 #include <utility>
 
 namespace whittle::viewer {
@@ -39,10 +40,12 @@ double Outcome::faces_removed() const {
   return before > 0 ? 1 - static_cast<double>(mesh().triangles.size()) / before : 0;
 }
 
-std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
-                                            const recipe::Monitor& monitor) {
+namespace {
+
+std::shared_ptr<Outcome> finished(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
+                                  recipe::Result result) {
   auto outcome = std::make_shared<Outcome>();
-  outcome->result = recipe::run(model->mesh(), recipe, monitor, model->givens());
+  outcome->result = std::move(result);
   if (model->file.single_precision)
     for (auto& point : outcome->result.mesh.points) point = point.cast<float>().cast<double>();
   for (const recipe::StageResult& stage : outcome->result.stages)
@@ -50,6 +53,26 @@ std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, 
   outcome->arrays.emplace(outcome->mesh());
   outcome->recipe = recipe;
   outcome->model = std::move(model);
+  return outcome;
+}
+
+}  // namespace
+
+std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
+                                            const recipe::Monitor& monitor) {
+  recipe::Result result = recipe::run(model->mesh(), recipe, monitor, model->givens());
+  return finished(std::move(model), recipe, std::move(result));
+}
+
+std::shared_ptr<const Outcome> make_level(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
+                                          Levels& levels, const recipe::Monitor& monitor) {
+  const bool planned = levels.has_value();
+  if (!planned) levels.emplace(model->mesh(), model->givens(), monitor);
+  const auto faces = *recipe.target.ratio * static_cast<double>(model->mesh().triangles.size());
+  recipe::Result result = levels->at(std::max<std::size_t>(1, static_cast<std::size_t>(faces)));
+  if (planned) result.stages[0].plan_seconds = 0;  // this time
+  auto outcome = finished(std::move(model), recipe, std::move(result));
+  outcome->from_levels = true;
   return outcome;
 }
 

@@ -16,6 +16,7 @@
 #include "model/EdgeTable.hh"
 #include "model/Histogram.hh"
 #include "model/PlanPicture.hh"
+#include "recipe/Progression.hh"
 #include "recipe/Recipe.hh"
 #include "render/MeshBuffers.hh"
 
@@ -52,12 +53,16 @@ struct Model {
 /// \throw FileError  as read_mesh(), and for a mesh without faces.
 std::shared_ptr<const Model> load_model(const std::string& path);
 
+/// The plan for all levels of a model, made when the first level is asked for. For one thread.
+using Levels = std::optional<recipe::Progression>;
+
 /// What a recipe made of a model.
 struct Outcome {
   std::shared_ptr<const Model> model;
   recipe::Recipe recipe;
   recipe::Result result;
-  double milliseconds = 0;  ///< planning and execution, as the command line counts them
+  bool from_levels = false;  ///< out of the plan for all levels
+  double milliseconds = 0;   ///< planning and execution, as the command line counts them
   std::optional<render::MeshArrays> arrays;
 
   const IndexedMesh& mesh() const { return result.mesh; }
@@ -68,6 +73,10 @@ struct Outcome {
 /// written. \throw  as recipe::run().
 std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
                                             const recipe::Monitor& monitor = {});
+
+/// The same out of the plan for all levels. \pre has_levels(recipe)
+std::shared_ptr<const Outcome> make_level(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
+                                          Levels& levels, const recipe::Monitor& monitor = {});
 
 /// How an outcome compares with its model.
 struct Comparison {

@@ -38,6 +38,11 @@ Recipe first_recipe() {
   return recipe;
 }
 
+bool has_levels(const recipe::Recipe& recipe) {
+  return recipe.modules.size() == 1 && recipe.modules[0].text() == "mq" && recipe.target.ratio &&
+         !recipe.max_distance && !recipe.delaunay && recipe.driver == recipe::Driver::automatic;
+}
+
 Recipe with_needed_target(Recipe recipe, const std::string& module) {
   if (module == "mq" && !recipe.target.any()) recipe.target.ratio = 0.5;
   return recipe;

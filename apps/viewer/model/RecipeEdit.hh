@@ -19,6 +19,10 @@ recipe::Recipe first_recipe();
 /// The recipe with a target of half the faces if the module needs a target and there is none.
 recipe::Recipe with_needed_target(recipe::Recipe recipe, const std::string& module);
 
+/// Whether every result of the recipe's target slider is in one plan, as `whittle lods` makes it: mq with its
+/// defaults down to a ratio, and nothing else.
+bool has_levels(const recipe::Recipe& recipe);
+
 /// Each gives the changed recipe. A module is named by its place in the chain, from 0.
 /// \throw RecipeError  no such module, key or place, a value out of range.
 /// \{

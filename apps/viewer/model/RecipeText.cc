@@ -73,6 +73,11 @@ std::string command_text(const Recipe& recipe, const std::string& in, const std:
   return "whittle simplify " + quote(in) + " " + quote(out) + " " + options_text(recipe);
 }
 
+std::string levels_command_text(const Recipe& recipe, const std::string& in, const std::string& out) {
+  return "whittle lods " + quote(in) + " --out " + quote(out) + " --levels 2 --ratio " +
+         to_text(*recipe.target.ratio);
+}
+
 Recipe parse_options(const std::string& text) {
   std::vector<std::string> words;
   try {

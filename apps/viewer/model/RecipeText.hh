@@ -13,6 +13,9 @@ std::string options_text(const recipe::Recipe& recipe);
 
 /// `whittle simplify IN OUT --module …`, which gives the mesh that the viewer shows.
 std::string command_text(const recipe::Recipe& recipe, const std::string& in, const std::string& out);
+/// `whittle lods IN …`, whose level 1 is what the viewer shows from the plan of all levels.
+/// \pre has_levels(recipe)
+std::string levels_command_text(const recipe::Recipe& recipe, const std::string& in, const std::string& out);
 
 /// Reads options, a whole command (IN, OUT and the options that say what is printed are passed over), or bare
 /// specifications (`fass:radius=0.8e`). Comments begin with `#`. What `run` would object to is not looked at.

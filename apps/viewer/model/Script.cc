@@ -30,6 +30,7 @@ constexpr Form kForms[] = {
     {"slide", "N KEY FROM TO STEPS", 5, 5, "move a slider: one value a frame, without waiting"},
     {"target", "none | ratio R | faces N | vertices N", 1, 2, "set the target"},
     {"driver", "NAME", 1, 1, "choose the executor"},
+    {"levels", "on | off", 1, 1, "whether mq makes one plan for all levels"},
     {"bound", "LENGTH | off", 1, 1, "how far the result may lie from the original"},
     {"delaunay", "DEGREES | off", 1, 1, "retriangulate at the end"},
     {"undo", "", 0, 0, "undo a recipe change"},

@@ -73,6 +73,16 @@ void Session::set_live(bool live) {
   if (live_ && !outcome_is_current()) run();
 }
 
+void Session::set_levels(bool levels) {
+  levels_ = levels;
+  if (live_ && !outcome_is_current()) run();
+}
+
+std::string Session::command(const std::string& out) const {
+  const std::string in = model_ ? model_->path : "IN";
+  return levels() ? levels_command_text(recipe(), in, out) : command_text(recipe(), in, out);
+}
+
 void Session::recipe_has_changed() {
   problem_.clear();
   try {
@@ -96,14 +106,17 @@ void Session::run() {
     const std::lock_guard lock(progress_mutex_);
     progress_ = {0, recipe().modules.size(), model_->mesh().triangles.size()};
   }
-  decimator_.submit([this, model = model_, recipe = recipe()](const Wanted& wanted) {
+  const std::shared_ptr<Levels> levels = this->levels() ? all_levels_ : nullptr;
+  decimator_.submit([this, levels, model = model_, recipe = recipe()](const Wanted& wanted) {
     Decided decided;
     try {
-      decided.outcome = make_outcome(model, recipe, [&](const recipe::Progress& now) {
+      const recipe::Monitor monitor = [&](const recipe::Progress& now) {
         const std::lock_guard lock(progress_mutex_);
         if (wanted()) progress_ = now;
         return wanted();
-      });
+      };
+      decided.outcome =
+          levels ? make_level(model, recipe, *levels, monitor) : make_outcome(model, recipe, monitor);
     } catch (const recipe::Cancelled&) {
       return;
     } catch (const std::exception& error) {
@@ -151,6 +164,7 @@ void Session::take_model(Loaded loaded) {
     return;
   }
   model_ = std::move(loaded.model);
+  all_levels_ = std::make_shared<Levels>();
   outcome_.reset();
   comparison_.reset();
   plan_.reset();
@@ -249,7 +263,8 @@ const Comparison* Session::comparison() const {
 }
 
 bool Session::outcome_is_current() const {
-  return outcome_ && options_text(outcome_->recipe) == options_text(recipe());
+  return outcome_ && outcome_->from_levels == levels() &&
+         options_text(outcome_->recipe) == options_text(recipe());
 }
 
 recipe::Progress Session::progress() const {

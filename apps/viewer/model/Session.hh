@@ -14,6 +14,7 @@
 #include "model/Comparer.hh"
 #include "model/History.hh"
 #include "model/Model.hh"
+#include "model/RecipeEdit.hh"
 #include "model/StandIn.hh"
 #include "model/Worker.hh"
 
@@ -50,6 +51,14 @@ class Session {
   void set_live(bool live);
   bool live() const { return live_; }
   void run();
+
+  /// Whether results come out of one plan for all levels, where the recipe allows it: the first takes as long
+  /// as ever, all others no time to plan.
+  void set_levels(bool levels);
+  bool levels() const { return levels_ && has_levels(recipe()); }
+
+  /// The command that makes what is shown. \param out  where it writes
+  std::string command(const std::string& out) const;
 
   /// Whether the plan of the recipe's first module is kept at hand.
   void set_plan_wanted(bool wanted);
@@ -132,9 +141,10 @@ class Session {
   std::function<void()> wake_;
   History<recipe::Recipe> history_;
   std::string problem_;
-  bool live_ = true, plan_wanted_ = false;
+  bool live_ = true, plan_wanted_ = false, levels_ = false;
 
   std::shared_ptr<const Model> model_;
+  std::shared_ptr<Levels> all_levels_;  // of the model; only the decimator looks into it
   std::shared_ptr<const Outcome> outcome_;
   std::shared_ptr<const Comparison> comparison_;
   const Outcome* measured_outcome_ = nullptr;  ///< handed to the measurer, and not cancelled since

@@ -90,6 +90,7 @@ Actions recipe_actions() {
          recipe.driver = recipe::parse_driver(c.word(0));
          c.session.change(recipe);
        }},
+      {"levels", [](const Context& c) { c.session.set_levels(c.command.on(0)); }},
       {"bound", set_bound},
       {"delaunay", set_delaunay},
       {"undo", [](const Context& c) { c.session.undo(); }},
@@ -148,9 +149,7 @@ Actions file_actions() {
       {"export", [](const Context& c) { c.session.export_result(c.word(0), false); }},
       {"copy-command",
        [](const Context& c) {
-         const Model* model = c.session.model();
-         files::write_file(c.word(0),
-                           command_text(c.session.recipe(), model ? model->path : "IN", "out.ply") + "\n");
+         files::write_file(c.word(0), c.session.command("out.ply") + "\n");
        }},
   };
 }

@@ -39,8 +39,7 @@ void next_shading(Ui& ui) {
 }
 
 void copy_command(Ui& ui) {
-  const Model* model = ui.session.model();
-  ui.clipboard = command_text(ui.session.recipe(), model ? model->path : "IN", ui.stem() + "-whittled.ply");
+  ui.clipboard = ui.session.command(ui.stem() + "-whittled.ply");
   ui.say("The command is in the clipboard");
 }
 

@@ -93,6 +93,16 @@ void target(Ui& ui) {
   if (just_released()) ui.session.end_of_drag();
 }
 
+/// For mq alone: the slider goes through one plan.
+void levels(Ui& ui) {
+  if (!has_levels(ui.session.recipe())) return;
+  bool on = ui.session.levels();
+  if (ImGui::Checkbox("All levels from one plan", &on)) ui.session.set_levels(on);
+  tip("Planned once, down to nothing; then every position of the slider is had at once. A plan for one "
+      "target "
+      "is a little truer");
+}
+
 /// A slider over a length, in the unit that it has.
 bool length_slider(recipe::Length& length, const recipe::Scale& scale) {
   const recipe::Length percent{1, "%"}, own{1, length.unit};
@@ -176,11 +186,11 @@ void run_row(Ui& ui) {
   ImGui::EndDisabled();
   ImGui::SameLine();
   if (ImGui::Button("Copy as command", {-1, 0})) {
-    const Model* model = ui.session.model();
-    ui.clipboard = command_text(ui.session.recipe(), model ? model->path : "IN", ui.stem() + "-whittled.ply");
+    ui.clipboard = ui.session.command(ui.stem() + "-whittled.ply");
     ui.say("The command is in the clipboard");
   }
-  tip("whittle simplify … with exactly this recipe (Ctrl+Shift+C)");
+  tip(ui.session.levels() ? "whittle lods …, whose level 1 is this (Ctrl+Shift+C)"
+                          : "whittle simplify … with exactly this recipe (Ctrl+Shift+C)");
 }
 
 /// What each module did.
@@ -215,6 +225,7 @@ void draw_recipe_panel(Ui& ui, const Rect& place) {
   add_button(ui);
   heading("Target");
   target(ui);
+  levels(ui);
   bound(ui);
   heading("Executor");
   executor(ui);

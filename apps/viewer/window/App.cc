@@ -253,7 +253,7 @@ void App::write_picture(const std::string& path, int width, int height, bool who
 }
 
 std::string App::picture_caption() const {
-  return session_.model() ? command_text(session_.recipe(), session_.model()->path, "OUT") : "";
+  return session_.model() ? session_.command("OUT") : "";
 }
 
 void App::serve_requests() {
