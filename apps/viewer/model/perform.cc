@@ -148,9 +148,7 @@ Actions file_actions() {
       {"numbers", [](const Context& c) { files::write_file(c.word(0), numbers(c.session).dump(2) + "\n"); }},
       {"export", [](const Context& c) { c.session.export_result(c.word(0), false); }},
       {"copy-command",
-       [](const Context& c) {
-         files::write_file(c.word(0), c.session.command("out.ply") + "\n");
-       }},
+       [](const Context& c) { files::write_file(c.word(0), c.session.command("out.ply") + "\n"); }},
   };
 }
 
