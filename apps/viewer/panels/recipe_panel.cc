@@ -98,9 +98,8 @@ void levels(Ui& ui) {
   if (!has_levels(ui.session.recipe())) return;
   bool on = ui.session.levels();
   if (ImGui::Checkbox("All levels from one plan", &on)) ui.session.set_levels(on);
-  tip("Planned once, down to nothing; then every position of the slider is had at once. A plan for one "
-      "target "
-      "is a little truer");
+  tip("Planned once, down to nothing; then every position of the slider is had at once. A plan for "
+      "one target is a little truer");
 }
 
 /// A slider over a length, in the unit that it has.
