@@ -46,7 +46,7 @@ struct Pass {
   std::vector<std::uint32_t> vertex_map;   ///< input vertex to output vertex
   std::vector<std::uint32_t> face_origin;  ///< output face to input face
   std::size_t collapses = 0;               ///< executed
-  std::size_t refused = 0;                 ///< planned, not executed, and not for the floor's sake
+  std::size_t refused = 0;                 ///< planned, and passed over on the way to the floor
   std::size_t refused_faces = 0;           ///< input faces that OpenMesh could not take
   PlanRecord record;
   double plan_seconds = 0, execute_seconds = 0;

@@ -227,6 +227,20 @@ void decimate(om::McDecimaterT<Mesh>& decimater, const Mesh& mesh, const Floor& 
     while (!halt.abort() && decimater.decimate(mesh.n_vertices()) > 0) continue;
 }
 
+/// How many planned collapses were not executed; where the floor is reached, how many of those before the
+/// last that was.
+std::size_t passed_over(const CollapsePlan& plan, const std::vector<std::pair<int, int>>& executed,
+                        bool floor_reached) {
+  if (!floor_reached) return plan.collapses.size() - executed.size();
+  std::vector<std::uint32_t> gone;
+  for (const auto& [from, to] : executed) gone.push_back(static_cast<std::uint32_t>(from));
+  std::sort(gone.begin(), gone.end());
+  const auto last = std::find_if(plan.collapses.rbegin(), plan.collapses.rend(), [&](const Collapse& c) {
+    return std::binary_search(gone.begin(), gone.end(), c.from);
+  });
+  return static_cast<std::size_t>(plan.collapses.rend() - last) - executed.size();
+}
+
 template <typename Decimater>
 Pass drive(const IndexedMesh& in, const SurfaceExtras& extras, const Job& job, const CollapsePlan* plan) {
   const Silence silence;
@@ -254,7 +268,7 @@ Pass drive(const IndexedMesh& in, const SurfaceExtras& extras, const Job& job, c
 
   unload(loaded, record.collapses, pass);
   pass.collapses = record.collapses.size();
-  if (plan && !job.floor.reached(pass.mesh)) pass.refused = plan->collapses.size() - pass.collapses;
+  if (plan) pass.refused = passed_over(*plan, record.collapses, job.floor.reached(pass.mesh));
   return pass;
 }
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The Debian package: builds it, installs it on a bare Debian 12 and simplifies a mesh there. Needs root and debootstrap.
+# The Debian package: builds it, installs it on a bare Debian 12, and there simplifies a mesh, draws it without a screen
+# and opens it in a window. Needs root and debootstrap.
 #   test/package/run.sh [BUILD]   leaves the packages in build/package
 # BUILD  a finished release build to pack; without, one is made in build/package
 # The bare system is made once, in build/bare, with the mirror that debootstrap takes by default.
@@ -40,7 +41,7 @@ dpkg --status whittle | grep '^Status: install ok installed'
 for program in /usr/bin/whittle*; do
   if ldd "$program" | grep 'not found'; then exit 1; fi
 done
-whittle --version
+for program in whittle whittle-bench whittle-viewer; do $program --version; done
 test -e /usr/share/man/man1/whittle.1  # the base system has no man to ask
 bash -n /usr/share/bash-completion/completions/whittle
 test -e /usr/share/zsh/vendor-completions/_whittle
@@ -56,6 +57,16 @@ awk 'BEGIN {
 }' >waves.off
 for result in small.ply small.obj small.glb; do whittle simplify waves.off "$result" --ratio 0.1 --quiet; done
 whittle info small.glb
+
+# The renderer and the viewer open what the package only recommends; the viewer wants a screen, which Xvfb is.
+if whittle-bench --list-devices; then echo 'whittle-bench found a renderer where none is installed'; exit 1; fi
+apt-get install -y -q --no-install-recommends $(dpkg --field whittle_*.deb Recommends | tr -d ,) xvfb xauth >install.log 2>&1 ||
+  { cat install.log; exit 1; }
+whittle-bench --list-devices
+whittle-bench --pictures-only --device software --experiments paper1 --sets vt --model waves.off --out drawn --quiet
+ls drawn
+xvfb-run -a whittle-viewer small.glb --screenshot window.png
+for picture in window.png $(find drawn -name '*.png'); do test "$(head -c 4 "$picture" | tail -c 3)" = PNG; done
 apt-get purge -y -q whittle >/dev/null 2>&1
 test ! -e /usr/bin/whittle
 INSIDE

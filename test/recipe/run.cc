@@ -164,6 +164,22 @@ TEST_CASE("non-manifold faces are kept by bulk and counted by OpenMesh's drivers
   CHECK(sweep.refused_faces == 2);
 }
 
+TEST_CASE("a collapse that a driver passes over on the way to the target is counted") {
+  // Three faces around vertex 5. Vertex 3, the tip of an ear, is to go first; OpenMesh refuses that, goes on
+  // to vertex 4, which turns a face, and has as few faces as asked for.
+  IndexedMesh mesh;
+  mesh.points = {{3, 0, 3}, {3, 0, 6}, {1, 3, 7}, {0, 0, 0}, {7, 7, 1}, {3, 0, 2}, {1, 4, 4}};
+  mesh.triangles = {{5, 1, 6}, {4, 5, 3}, {1, 5, 4}, {6, 6, 5}, {5, 5, 5}, {6, 2, 2}, {6, 0, 0}};
+  Recipe recipe = make({"fad:angle=170,lock=strict,pairs=all,boundary=merge,passes=3"}, Driver::decimater);
+  recipe.target.faces = 2;
+  const Result driven = run(mesh, recipe);
+  CHECK(driven.refused_faces == 4);
+  CHECK(driven.mesh.triangles.size() == 2);
+  CHECK(driven.stages[0].collapses == 1);
+  CHECK(driven.flipped_faces == 1);
+  CHECK(driven.stages[0].refused_by_decimater == 1);
+}
+
 TEST_CASE("the Delaunay retriangulation comes last and moves no vertex") {
   const IndexedMesh mesh = torus();
   Recipe recipe = make({"fad:angle=30"});
