@@ -17,6 +17,10 @@ class BucketQueue {
   static constexpr int kBucketsPerOctave = 4;
   static constexpr std::size_t kBuckets = 1024;
 
+  struct Entry {
+    std::uint32_t item, bucket;
+  };
+
   /// The bucket of a cost; of a negative one the first, of NaN the last.
   static std::size_t bucket_of(float cost) {
     if (!(cost > 0)) return cost <= 0 ? 0 : kBuckets - 1;
@@ -28,6 +32,15 @@ class BucketQueue {
 
   void push(std::uint32_t item, std::size_t bucket) {
     buckets_[bucket < at_ ? at_ : bucket < kBuckets ? bucket : kBuckets - 1].push_back(item);
+  }
+
+  /// Many at once, each bucket made large enough first.
+  void push_all(const std::vector<Entry>& entries) {
+    std::array<std::uint32_t, kBuckets> more{};
+    for (const Entry& entry : entries) ++more[entry.bucket];
+    for (std::size_t b = 0; b < kBuckets; ++b)
+      if (more[b] > 0) buckets_[b].reserve(buckets_[b].size() + more[b]);
+    for (const Entry& entry : entries) push(entry.item, entry.bucket);
   }
 
   /// The next item of the cheapest bucket. \return false  there is none below bucket `end`.

@@ -92,10 +92,6 @@ inline CornerTable::CornerTable(const std::vector<Rings::Triangle>& triangles, c
   faces_.reserve(triangles.size());
   for (const Rings::Triangle& t : triangles)
     faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, 0, 0, {}});
-  const auto corner_at = [&](std::uint32_t f, std::uint32_t v) -> Corner {
-    const auto& corners = triangles[f];
-    return 4 * f + (corners[0] == v ? 0 : corners[1] == v ? 1 : 2);
-  };
   // Each half-edge gets its twin from the vertex where it starts, or, if that has no ring, where it ends.
   const auto pair = [&](Corner in, Corner out) {
     set_twin(out, in);
@@ -105,11 +101,11 @@ inline CornerTable::CornerTable(const std::vector<Rings::Triangle>& triangles, c
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
       const Ring ring = rings[v];
       if (ring.n_faces() == 0) continue;
-      const Corner start = corner_at(rings.face(v, 0), v);
+      const Corner start = rings.corner(v, 0);
       first_[v] = start;
       Corner at = start;
       for (std::size_t i = 1; i < ring.n_faces(); ++i) {
-        const Corner after = corner_at(rings.face(v, i), v);
+        const Corner after = rings.corner(v, i);
         pair(previous(at), after);
         at = after;
       }

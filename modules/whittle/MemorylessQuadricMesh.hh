@@ -191,8 +191,9 @@ MemorylessQuadricMesh::MemorylessQuadricMesh(const IndexedMeshT<Real>& mesh, con
   sum_quadrics(crew);
   if (feature_angle < kPi) mark_features(feature_angle);
   for (std::size_t f = 0; f < input_face_.size(); ++f) {
-    const Eigen::Vector3d& normal = extras.reference_normals[input_face_[f]];
-    table_.face(static_cast<Corner>(4 * f)).normal = PackedNormal(normal.stableNormalized().cast<float>());
+    const Vec normal = extras.reference_normals[input_face_[f]].stableNormalized().cast<float>();
+    table_.face(static_cast<Corner>(4 * f)).normal =
+        normal.squaredNorm() > 0 ? PackedNormal(normal) : PackedNormal();
   }
 }
 
@@ -256,8 +257,13 @@ inline void MemorylessQuadricMesh::sum_quadrics(Crew& crew) {
 
 inline void MemorylessQuadricMesh::add_face(Corner f) {
   const Vec normal = edge(f).cross(-edge(f + 2));
-  table_.face(f).normal = PackedNormal(normal);
-  SymmetricMatrix quadric = face_quadric(normal);
+  const float length = normal.norm();
+  SymmetricMatrix quadric;
+  if (length > 0) {
+    const Vec unit = normal * (1 / length);
+    table_.face(f).normal = PackedNormal(unit);
+    quadric = SymmetricMatrix::outer(unit, length);
+  }
   if (!values_.empty()) {
     const auto& [a, b, c] = table_.face(f).vertex;
     const auto term = values_.term(position(f), position(f + 1), position(f + 2), values_.at(a),

@@ -37,10 +37,7 @@ class MemorylessQuadricPart {
     Collapse collapse;
     std::size_t bucket;
   };
-  struct Stray {
-    Corner edge;
-    std::size_t bucket;
-  };
+  using Stray = BucketQueue::Entry;
 
   MemorylessQuadricPart(MemorylessQuadricMesh& mesh, MemorylessQuadricMesh::Part number)
       : mesh_(mesh), hand_(mesh.hand(number)) {}
@@ -48,7 +45,7 @@ class MemorylessQuadricPart {
   /// Queues the edges of some faces, or leaves them as strays.
   void queue_all(std::size_t first_face, std::size_t last_face);
 
-  void push(const Stray& stray) { queue_.push(stray.edge, stray.bucket); }
+  void push(const Stray& stray) { queue_.push(stray.item, stray.bucket); }
 
   /// Collapses what is in the queue below a bucket, until the goal is reached.
   void work(std::size_t end, MemorylessQuadricGoal goal);
@@ -75,16 +72,16 @@ class MemorylessQuadricPart {
 
 inline void MemorylessQuadricPart::queue_all(std::size_t first_face, std::size_t last_face) {
   CornerTable& table = mesh_.table();
+  std::vector<BucketQueue::Entry> own;
+  own.reserve(3 * (last_face - first_face) / 2 + 1);
   for (Corner f = static_cast<Corner>(4 * first_face); f < 4 * last_face; f += 4)
     for (Corner c = f; c < f + 3; ++c) {
       if ((table.twin(c) != kNoCorner && c > table.twin(c)) || !mesh_.is_movable(c)) continue;
       const std::size_t bucket = BucketQueue::bucket_of(mesh_.place(c).cost);
       table.face(c).queued |= bit_of(c);
-      if (has(c))
-        queue_.push(c, bucket);
-      else
-        strays.push_back({c, bucket});
+      (has(c) ? own : strays).push_back({c, static_cast<std::uint32_t>(bucket)});
     }
+  queue_.push_all(own);
 }
 
 /// Asks for the memory of the edges that come next.
@@ -101,7 +98,7 @@ inline void MemorylessQuadricPart::work(std::size_t end, MemorylessQuadricGoal g
   while (goal.remaining() > 0 && queue_.pop(c, end)) {
     prefetch();
     if (!has(c)) {
-      strays.push_back({c, queue_.bucket()});
+      strays.push_back({c, static_cast<std::uint32_t>(queue_.bucket())});
       continue;
     }
     std::uint16_t& queued = table.face(c).queued;
@@ -122,7 +119,7 @@ inline void MemorylessQuadricPart::work(std::size_t end, MemorylessQuadricGoal g
     const auto verdict = mesh_.judge(c, placement, hand_);
     if (verdict == MemorylessQuadricMesh::Verdict::elsewhere) {
       queued |= bit_of(c);
-      strays.push_back({c, bucket});
+      strays.push_back({c, static_cast<std::uint32_t>(bucket)});
     } else if (verdict == MemorylessQuadricMesh::Verdict::legal) {
       std::array<Corner, 2> unqueued;
       done.push_back({mesh_.collapse(c, placement, hand_, unqueued), queue_.bucket()});

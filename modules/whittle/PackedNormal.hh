@@ -12,13 +12,9 @@ class PackedNormal {
  public:
   PackedNormal() = default;
 
-  /// \param normal  of any length.
-  explicit PackedNormal(const Eigen::Vector3f& normal) {
-    const float length = normal.norm();
-    if (!(length > 0)) return;
-    bits_ = 1u << 31;
-    for (int i = 0; i < 3; ++i)
-      bits_ |= static_cast<std::uint32_t>(512.5f + 511 * normal[i] / length) << 10 * i;
+  /// \param normal  of unit length.
+  explicit PackedNormal(const Eigen::Vector3f& normal) : bits_(1u << 31) {
+    for (int i = 0; i < 3; ++i) bits_ |= static_cast<std::uint32_t>(512.5f + 511 * normal[i]) << 10 * i;
   }
 
   bool is_none() const { return bits_ == 0; }

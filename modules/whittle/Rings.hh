@@ -49,12 +49,12 @@ class Rings {
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// \param triangles   all indices below `n_vertices`.
-  /// \param with_faces  whether to keep which face is where, for `face()`.
+  /// \param with_faces  whether to keep which face is where, for `face()` and `corner()`.
   Rings(const std::vector<Triangle>& triangles, std::size_t n_vertices, bool with_faces,
         std::size_t n_threads)
       : first_(n_vertices + 1, 0), shapes_(n_vertices, RingShape::empty) {
     collect(triangles);
-    if (with_faces) faces_.resize(ring_.size());
+    if (with_faces) corners_.resize(ring_.size());
     for_each_part(n_vertices, n_threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto v = static_cast<std::uint32_t>(i);
@@ -76,16 +76,19 @@ class Rings {
   }
 
   /// Which face the i-th of a ring is.
-  std::uint32_t face(std::uint32_t v, std::size_t i) const { return faces_[first_[v] + i]; }
+  std::uint32_t face(std::uint32_t v, std::size_t i) const { return corner(v, i) / 4; }
+  /// Four times that face plus the corner where it has the vertex.
+  std::uint32_t corner(std::uint32_t v, std::size_t i) const { return corners_[first_[v] + i]; }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::size_t kFew = 8, kSome = 24, kMany = 0;
 
-  /// The faces of one vertex, at most `N`: the corners after and before it, and which face comes next.
+  /// The faces of one vertex, at most `N`: their corners there, the vertices after and before, and which face
+  /// comes next.
   template <std::size_t N>
   struct Fan {
-    std::array<std::uint32_t, N> face, next, previous, follower;
+    std::array<std::uint32_t, N> corner, next, previous, follower;
     std::size_t n_followed = 0, sum = 0;  // how many follow another, and the sum of their places
     explicit Fan(std::size_t /*n*/) {}
     bool link(std::size_t n);
@@ -97,7 +100,7 @@ class Rings {
   RingShape order(const std::vector<Triangle>& triangles, std::uint32_t v);
 
   std::vector<std::uint32_t> first_;  // of v: its faces and one more
-  std::vector<std::uint32_t> ring_, faces_;
+  std::vector<std::uint32_t> ring_, corners_;
   std::vector<RingShape> shapes_;
 };
 
@@ -142,9 +145,9 @@ bool Rings::Fan<N>::link(std::size_t n) {
 /// The same with any number of faces.
 template <>
 struct Rings::Fan<Rings::kMany> {
-  std::vector<std::uint32_t> face, next, previous, follower;
+  std::vector<std::uint32_t> corner, next, previous, follower;
   std::size_t n_followed = 0, sum = 0;
-  explicit Fan(std::size_t n) : face(n), next(n), previous(n), follower(n) {}
+  explicit Fan(std::size_t n) : corner(n), next(n), previous(n), follower(n) {}
 
   bool link(std::size_t n) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> begins(n);
@@ -171,7 +174,7 @@ RingShape Rings::order(const std::vector<Triangle>& triangles, std::uint32_t v) 
   bool is_degenerate = false;
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t corner = ring[i] % 4, f = ring[i] / 4;
-    fan.face[i] = f;
+    fan.corner[i] = ring[i];
     fan.next[i] = triangles[f][kNext[corner]];
     fan.previous[i] = triangles[f][kNext[corner + 1]];
     is_degenerate |= fan.next[i] == v || fan.previous[i] == v || fan.next[i] == fan.previous[i];
@@ -188,7 +191,7 @@ RingShape Rings::order(const std::vector<Triangle>& triangles, std::uint32_t v) 
   std::size_t i = 0;
   do {
     ring[i] = fan.next[at];
-    if (!faces_.empty()) faces_[first_[v] + i] = fan.face[at];
+    if (!corners_.empty()) corners_[first_[v] + i] = fan.corner[at];
     ring[++i] = fan.previous[at];
     at = fan.follower[at];
   } while (at != kNone && at != start && i < n);
