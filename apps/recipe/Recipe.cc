@@ -130,7 +130,8 @@ void check(const Recipe& recipe) {
       throw RecipeError("module 'mq' can weigh normals, colours and texture only as the first module");
     choose_driver(recipe.driver, stage);
     if (stage.is_planned()) make_planner(stage.module, {1, 1});
-    if (!has_threshold(stage.module) && !has_default_threshold(stage.module) && !has_end)
+    const bool is_bounded = stage.module.has("max-distance");
+    if (!has_threshold(stage.module) && !has_default_threshold(stage.module) && !has_end && !is_bounded)
       throw RecipeError(
           "module '" + stage.module.name + "' needs " +
           (threshold_key(stage.module).empty() ? "" : threshold_key(stage.module) + "=... or ") + "a target");

@@ -1,5 +1,6 @@
 #include "recipe/planner.hh"
 
+#include <algorithm>
 #include <charconv>
 
 namespace whittle::recipe {
@@ -53,6 +54,10 @@ Planner make(const Spec& spec, const Scale& scale) {
   if (spec.name == "mq") {
     MemorylessQuadric planner;
     if (const auto angle = spec.number("feature")) planner.feature_angle = *angle;
+    if (const auto distance = spec.length("max-distance", scale)) planner.max_distance = *distance;
+    if (spec.has("max-distance") && spec.has("passes"))
+      throw RecipeError(
+          "module 'mq': a pass would measure max-distance from what the last one has left; it takes one");
     return planner;
   }
   const double distance = spec.length("distance", scale).value_or(0);
@@ -65,6 +70,13 @@ Planner make(const Spec& spec, const Scale& scale) {
   auto planner = make_triangle_planner<VertexDistance>(spec);
   planner.max_distance = distance;
   return planner;
+}
+
+/// The fewest digits that name the number.
+std::string shortest(double number) {
+  char digits[32];
+  const char* end = std::to_chars(digits, digits + sizeof digits, number).ptr;
+  return {digits, static_cast<std::size_t>(end - digits)};
 }
 
 /// Calls `visit` for a planner, or for each planner of a chain.
@@ -125,10 +137,16 @@ Planner with_threshold(const Planner& planner, double threshold) {
 }
 
 Spec with_threshold(Spec spec, double threshold) {
-  char digits[32];
-  const char* end = std::to_chars(digits, digits + sizeof digits, threshold).ptr;
-  spec.parameters.emplace_back(threshold_key(spec),
-                               std::string(digits, static_cast<std::size_t>(end - digits)));
+  spec.parameters.emplace_back(threshold_key(spec), shortest(threshold));
+  return spec;
+}
+
+Spec with_max_distance(Spec spec, double distance, const Scale& scale) {
+  const std::string key = "max-distance";
+  if (const auto own = spec.length(key, scale)) distance = std::min(distance, *own);
+  auto& all = spec.parameters;
+  all.erase(std::remove_if(all.begin(), all.end(), [&](const auto& p) { return p.first == key; }), all.end());
+  all.emplace_back(key, shortest(distance));
   return spec;
 }
 

@@ -44,6 +44,9 @@ Planner with_threshold(const Planner& planner, double threshold);
 /// The specification with its threshold added, in the shortest digits that name the number.
 Spec with_threshold(Spec spec, double threshold);
 
+/// That of `mq` with a bound in model units; its own stays if that is tighter.
+Spec with_max_distance(Spec spec, double distance, const Scale& scale);
+
 /// Where to look for a threshold that reaches a target: from `first`, doubling, up to `last`.
 struct ThresholdRange {
   double first, last;

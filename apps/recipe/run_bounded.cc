@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "measure/Excess.hh"
@@ -58,7 +59,47 @@ bool goes_by_error(const Work& work) {
   return module.name == "mq" || (module.name == "quadric" && !has_threshold(module));
 }
 
-/// The fewest faces, or vertices, that keep the bound.
+/// How far off each vertex of the input is, together with the faces around it and around what it became; 0
+/// where it is held already or within the bound.
+std::vector<double> excess_of_vertices(const Tried& tried, const std::vector<std::uint8_t>& flags) {
+  const Pass& sum = tried.ran.sum;
+  std::vector<double> far(sum.vertex_map.size(), 0), far_after(sum.mesh.points.size(), 0);
+  for (const auto& [v, distance] : tried.excess.original) far[v] = distance;
+  for (const auto& [w, distance] : tried.excess.simplified) far_after[w] = distance;
+  for (std::size_t v = 0; v < far.size(); ++v)
+    far[v] = flags[v] & kLocked ? 0 : std::max(far[v], far_after[sum.vertex_map[v]]);
+  return far;
+}
+
+/// mq refuses on the way what would take it too far, and goes on elsewhere. It looks at few points, so the
+/// whole is measured then; where that is too far much less is allowed, elsewhere a little, as long as it
+/// takes.
+std::optional<BoundedRan> refuse_on_the_way(Work work, double bound) {
+  constexpr int kRounds = 20;
+  constexpr double kLittle = 0.97, kMuch = 0.8,
+                   kMost = 0.4;  // factors, the last the least that a round may be
+  Spec& module = work.stages.back().module;
+  if (module.name != "mq" || module.has("passes") || work.stages.size() > 1) return std::nullopt;
+  module = with_max_distance(module, bound, work.scale);
+  work.extras.flags.resize(work.mesh.points.size(), 0);
+  work.extras.tolerance.resize(work.mesh.points.size(), 1);
+  for (int round = 0; round < kRounds; ++round) {
+    Tried tried = attempt(work, bound);
+    if (tried.excess.none()) {
+      BoundedRan out = finished(std::move(tried));
+      out.stopped = !work.floor.reached(out.sum.mesh);
+      return out;
+    }
+    const std::vector<double> far = excess_of_vertices(tried, work.extras.flags);
+    for (std::size_t v = 0; v < far.size(); ++v) {
+      const double factor = far[v] > 0 ? std::clamp(kMuch * bound / far[v], kMost, kMuch) : kLittle;
+      work.extras.tolerance[v] *= static_cast<float>(factor);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The fewest faces, or vertices, that keep the bound; of the order of the errors.
 BoundedRan stop_at_bound(Work work, double bound) {
   const bool by_vertices = work.floor.vertices > 0;
   std::size_t low = std::max<std::size_t>(1, by_vertices ? work.floor.vertices : work.floor.faces);
@@ -69,6 +110,7 @@ BoundedRan stop_at_bound(Work work, double bound) {
   };
   Tried best = at(low);
   if (best.excess.none()) return finished(std::move(best));
+  if (auto kept = refuse_on_the_way(work, bound)) return std::move(*kept);
   best = at(high);
   while (high > low + 1 && static_cast<double>(high) > 1.004 * static_cast<double>(low)) {
     const auto middle =
@@ -129,18 +171,6 @@ BoundedRan stop_at_threshold(Work& work, Stage& stage, double bound) {
   BoundedRan out = finished(std::move(best));
   out.stopped = true;
   return out;
-}
-
-/// How far off each vertex of the input is, together with the faces around it and around what it became; 0
-/// where it is held already or within the bound.
-std::vector<double> excess_of_vertices(const Tried& tried, const std::vector<std::uint8_t>& flags) {
-  const Pass& sum = tried.ran.sum;
-  std::vector<double> far(sum.vertex_map.size(), 0), far_after(sum.mesh.points.size(), 0);
-  for (const auto& [v, distance] : tried.excess.original) far[v] = distance;
-  for (const auto& [w, distance] : tried.excess.simplified) far_after[w] = distance;
-  for (std::size_t v = 0; v < far.size(); ++v)
-    far[v] = flags[v] & kLocked ? 0 : std::max(far[v], far_after[sum.vertex_map[v]]);
-  return far;
 }
 
 /// How much is held in a round. To hold the worst first leaves their neighbours room to do without; later

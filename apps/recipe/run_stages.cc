@@ -45,8 +45,9 @@ ReadyStage prepare(const Work& work, std::size_t index, const IndexedMesh& mesh,
   if (!ready.stage.is_planned()) return ready;
   ready.planner = make_planner(module, work.scale);
   set_target(*ready.planner, work.floor.faces, work.floor.vertices);
-  ready.max_passes = static_cast<std::size_t>(
-      module.number("passes").value_or(work.floor.any() ? double(kPassesToTarget) : 1.0));
+  const bool is_once = !work.floor.any() || module.has("max-distance");
+  ready.max_passes =
+      static_cast<std::size_t>(module.number("passes").value_or(is_once ? 1.0 : double(kPassesToTarget)));
   if (work.floor.any() && !threshold_key(module).empty() && !has_threshold(module)) {
     const double threshold = find_threshold(mesh, extras, ready.job(work, index));
     ready.planner = with_threshold(*ready.planner, threshold);

@@ -2,6 +2,7 @@
 /// mq, memoryless quadrics: down to a number of faces, as true to the shape as possible.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -33,6 +34,11 @@ struct MemorylessQuadric {
   /// Edges whose two faces' normals differ by more are held by planes of their own, as the boundary is: they
   /// may get shorter, and keep their line. Degrees, 0..180; 180: none
   double feature_angle = 180;
+  /// No vertex of the input lies farther than this from the faces that it is left with, nor these from the
+  /// input at their middles and corners: a collapse that would break it is refused, and others are made
+  /// instead. What lies between is not watched. A vertex's tolerance is a factor. Model units, not negative;
+  /// HUGE_VAL: no bound
+  double max_distance = HUGE_VAL;
   FlipGuard guard;  ///< against the normal before each collapse; against that of the input no face turns by
                     ///< 90 degrees
 
@@ -41,10 +47,15 @@ struct MemorylessQuadric {
     guard.validate();
     if (!(feature_angle >= 0 && feature_angle <= 180))
       throw InvalidParameter("the feature angle must be in 0..180 degrees");
+    if (!(max_distance >= 0)) throw InvalidParameter("the largest distance must not be negative");
   }
 
-  /// A target is no threshold, so nothing is scaled.
-  MemorylessQuadric scaled(double /*factor*/) const { return *this; }
+  /// The bound is what there is of a threshold.
+  MemorylessQuadric scaled(double factor) const {
+    MemorylessQuadric planner = *this;
+    if (max_distance < HUGE_VAL) planner.max_distance *= factor;
+    return planner;
+  }
 
   /// \throw InvalidParameter
   template <typename Real>
@@ -70,9 +81,8 @@ struct MemorylessQuadric {
 template <typename Real>
 CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
                                              std::size_t n_threads) const {
-  constexpr double kRadians = 3.14159265358979323846 / 180;
-  MemorylessQuadricRun run(mesh, extras, static_cast<float>(guard.min_cos), feature_angle * kRadians,
-                           n_threads);
+  const float min_cos = static_cast<float>(guard.min_cos);
+  MemorylessQuadricRun run(mesh, extras, {min_cos, feature_angle, max_distance}, n_threads);
   run.run(target_faces, target_vertices);
   CollapsePlan plan = run.take();
   for (Collapse& collapse : plan.collapses)  // what is held stays just where it is, not where its float is

@@ -97,7 +97,22 @@ inline auto MemorylessQuadricMesh::judge(Corner c, const Placement& placement, H
   const std::size_t of_b = hand.turns.size() - of_a;
   const bool ear = (keeps_end(c) ? of_a : of_b) == 0;                                  // its tip would vanish
   const bool back_to_back = interior && !a_open && !b_open && of_a <= 1 && of_b <= 1;  // two faces would be
-  return !ear && !back_to_back && common == (interior ? 2u : 1u) ? Verdict::legal : Verdict::illegal;
+  const bool legal = !ear && !back_to_back && common == (interior ? 2u : 1u);
+  return legal && (bound_.empty() || keeps_bound(c, target, hand)) ? Verdict::legal : Verdict::illegal;
+}
+
+/// Whether the points of the faces around the edge, those of `hand.turns` and those that vanish, stay near.
+inline bool MemorylessQuadricMesh::keeps_bound(Corner c, const Vec& target, Hand& hand) const {
+  auto& sorting = hand.sorting;
+  sorting.clear();
+  for (const Corner side : {c, table_.twin(c)})
+    if (side != kNoCorner) sorting.faces.push_back(side >> 2);
+  for (const Turn& turn : hand.turns) {
+    const std::uint32_t face = turn.corner >> 2;
+    sorting.faces.push_back(face);
+    sorting.triangles.push_back({face, target, position(next(turn.corner)), position(previous(turn.corner))});
+  }
+  return bound_.sort(sorting);
 }
 
 /// Calls `visit(half-edge, neighbour)` for the boundary and feature edges at `v`.
@@ -191,6 +206,7 @@ inline Collapse MemorylessQuadricMesh::collapse(Corner c, const Placement& place
   const Corner d = table_.twin(c);
   const float along = e.squaredNorm() > 0 ? placement.offset.dot(e) / e.squaredNorm() : 0.5f;
   SymmetricMatrix quadric;
+  if (!bound_.empty()) bound_.apply(hand.sorting);
   update_ring(c, hand, quadric);
   if (!values_.empty()) update_values(c, target, along, hand, quadric);
 

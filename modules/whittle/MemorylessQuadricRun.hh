@@ -14,6 +14,7 @@
 #include "whittle/IndexedMesh.hh"
 #include "whittle/MemorylessQuadricMesh.hh"
 #include "whittle/MemorylessQuadricPart.hh"
+#include "whittle/MemorylessQuadricSetup.hh"
 #include "whittle/Surface.hh"
 
 namespace whittle {
@@ -27,10 +28,10 @@ namespace whittle {
 class MemorylessQuadricRun {
  public:
   template <typename Real>
-  MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras, float min_cos,
-                       double feature_angle, std::size_t n_threads)
+  MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
+                       const MemorylessQuadricMesh::Options& options, std::size_t n_threads)
       : crew_(n_threads),
-        mesh_(mesh, extras, min_cos, feature_angle, crew_),
+        mesh_(mesh, extras, options, crew_),
         seams_(mesh_, MemorylessQuadricMesh::kEverywhere),
         n_faces_(mesh.triangles.size()),
         n_vertices_(mesh.points.size()) {

@@ -30,6 +30,12 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
   void set_feature_angle(double degrees) {
     this->change([&](MemorylessQuadric& p) { p.feature_angle = degrees; });
   }
+  /// No vertex of the mesh lies farther than this from the faces that it is left with. Model units, not
+  /// negative; the default HUGE_VAL is no bound. With passes, each bounds what it adds. \throw
+  /// InvalidParameter
+  void set_max_distance(double distance) {
+    this->change([&](MemorylessQuadric& p) { p.max_distance = distance; });
+  }
   /// Least cosine between a face's normals before and after a collapse. -1..1, default 0.2.
   void set_flip_guard(double min_cos) {
     this->change([&](MemorylessQuadric& p) { p.guard.min_cos = min_cos; });

@@ -35,4 +35,29 @@ inline double triangle_quality(const Eigen::Vector3d& a, const Eigen::Vector3d& 
   return squares > 0 ? 2 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / squares : 0;
 }
 
+/// The square of the distance from a point to the nearest one of a triangle, by the corner, side or inside
+/// that it is nearest to (Ericson 2005, 5.1.5). Not finite where the triangle is degenerate to the last bit.
+template <typename Real>
+Real squared_distance(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Real, 3, 1>& a,
+                      const Eigen::Matrix<Real, 3, 1>& b, const Eigen::Matrix<Real, 3, 1>& c) {
+  using Vec = Eigen::Matrix<Real, 3, 1>;
+  const Vec ab = b - a, ac = c - a, ap = p - a;
+  const Real ab_a = ab.dot(ap), ac_a = ac.dot(ap);
+  if (ab_a <= 0 && ac_a <= 0) return ap.squaredNorm();
+  const Vec bp = p - b;
+  const Real ab_b = ab.dot(bp), ac_b = ac.dot(bp);
+  if (ab_b >= 0 && ac_b <= ab_b) return bp.squaredNorm();
+  const Real of_c = ab_a * ac_b - ab_b * ac_a;  // barycentric, but for a common factor
+  if (of_c <= 0 && ab_a >= 0 && ab_b <= 0) return (ap - ab_a / (ab_a - ab_b) * ab).squaredNorm();
+  const Vec cp = p - c;
+  const Real ab_c = ab.dot(cp), ac_c = ac.dot(cp);
+  if (ac_c >= 0 && ab_c <= ac_c) return cp.squaredNorm();
+  const Real of_b = ab_c * ac_a - ab_a * ac_c;
+  if (of_b <= 0 && ac_a >= 0 && ac_c <= 0) return (ap - ac_a / (ac_a - ac_c) * ac).squaredNorm();
+  const Real of_a = ab_b * ac_c - ab_c * ac_b, to_c = ac_b - ab_b, to_b = ab_c - ac_c;
+  if (of_a <= 0 && to_c >= 0 && to_b >= 0) return (bp - to_c / (to_c + to_b) * (c - b)).squaredNorm();
+  const Real all = of_a + of_b + of_c;
+  return (ap - of_b / all * ab - of_c / all * ac).squaredNorm();
+}
+
 }  // namespace whittle

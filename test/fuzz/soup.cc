@@ -43,7 +43,8 @@ const char* const kModules[] = {"vt",
                                 "vtd:distance=4,fold=literal",
                                 "fass:radius=4,angle=90",
                                 "mq",
-                                "quadric"};
+                                "quadric",
+                                "mq:max-distance=1"};
 
 /// A few points on a coarse grid, so that many coincide or lie in a plane, and any triangles on them.
 IndexedMesh soup(Bytes& bytes) {

@@ -41,3 +41,23 @@ TEST_CASE("triangle quality is 1 for equilateral, 0 for degenerate, and knows no
   CHECK(triangle_quality({1, 1, 1}, {1, 1, 1}, {1, 1, 1}) == 0);
   CHECK(triangle_quality({0, 0, 0}, {1, 0, 0}, {0, 1, 0}) == Approx(std::sqrt(3.0) / 2));
 }
+
+TEST_CASE("the distance to a triangle is that to its nearest corner, side or inside") {
+  const Vector3d a(0, 0, 0), b(4, 0, 0), c(0, 3, 0);
+  const auto square = [&](double x, double y, double z) {
+    const Vector3d p(x, y, z);
+    const double one = squared_distance(p, a, b, c);
+    CHECK(squared_distance(p, b, c, a) == Approx(one));
+    CHECK(squared_distance(p, c, b, a) == Approx(one));
+    return one;
+  };
+  CHECK(square(1, 1, 2) == 4);
+  CHECK(square(-3, -4, 0) == 25);
+  CHECK(square(7, -4, 0) == 25);
+  CHECK(square(-3, 7, 0) == 25);
+  CHECK(square(2, -3, 4) == 25);
+  CHECK(square(-3, 1, 4) == 25);
+  CHECK(square(2 + 3, 1.5 + 4, 0) == Approx(25));  // straight out from the middle of the long side
+  CHECK(square(1, 1, 0) == 0);
+  CHECK_FALSE(squared_distance(Vector3d(5, 1, 0), a, a, a) < 25);  // no triangle at all
+}

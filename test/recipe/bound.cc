@@ -99,6 +99,35 @@ TEST_CASE("where the bound forbids the target, the result says so") {
   CHECK(reasons(loose, result).empty());
 }
 
+TEST_CASE("mq goes on where the bound allows it when it is reached somewhere") {
+  // A torus with spikes: the cheapest collapses first would stop at one of them.
+  IndexedMesh mesh = meshes::shaken(meshes::torus(60, 36), 0.0005, 1);
+  for (std::size_t v = 0; v < mesh.points.size(); v += 37) mesh.points[v] *= 1.02;
+  const double bound = 0.01 * measure_scale(mesh).diagonal;
+  const Result kept = run(mesh, bounded("mq", "1%"));
+  CHECK(kept.bound_held);
+  CHECK(farthest(mesh, kept) <= bound);
+  CHECK(kept.stopped_by_bound);
+  // As many faces by the order of the errors alone lie farther off.
+  Recipe free;
+  free.modules = {parse_spec("mq")};
+  free.target = faces(kept.mesh.triangles.size());
+  CHECK(farthest(mesh, run(mesh, free)) > bound);
+}
+
+TEST_CASE("a bound can be mq's own, and takes one pass") {
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
+  Recipe recipe;
+  recipe.modules = {parse_spec("mq:max-distance=1%")};
+  const Result alone = run(mesh, recipe);
+  CHECK(alone.mesh.triangles.size() < mesh.triangles.size() / 2);
+  CHECK(alone.stages[0].passes == 1);
+  recipe.target = faces(4);
+  CHECK_FALSE(run(mesh, recipe).target_reached);
+  recipe.modules = {parse_spec("mq:max-distance=1%,passes=2")};
+  CHECK_THROWS_WITH(run(mesh, recipe), Contains("max-distance") && Contains("one"));
+}
+
 TEST_CASE("a retriangulation that breaks the bound is dropped") {
   const IndexedMesh mesh = meshes::grid(12, [](auto i, auto) { return i == 6 ? 1.0 : 0.0; });
   Recipe recipe = bounded("fad:angle=1", "1e-6");
