@@ -14,6 +14,7 @@
 #include "files/MeshFile.hh"
 #include "model/RecipeText.hh"
 #include "model/Script.hh"
+#include "version/Version.hh"
 #include "window/App.hh"
 
 namespace {
@@ -53,7 +54,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--settings", options.settings,
                  "Keep the settings in this file; without it, scripts and screenshots use none")
       ->type_name("FILE");
-  app.set_version_flag("--version", "whittle-viewer " WHITTLE_VERSION);
+  app.set_version_flag("--version", whittle::version::text("whittle-viewer"));
   app.footer("Commands of a script:\n" + script_help() +
              "\nWithout a display: whittle-bench draws pictures, whittle simplifies.\n"
              "Exit codes: 0 done; 2 bad usage, bad input, or no display.");

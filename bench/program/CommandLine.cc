@@ -6,6 +6,7 @@
 
 #include "experiment/Sets.hh"
 #include "experiment/Views.hh"
+#include "version/Version.hh"
 
 namespace whittle::bench {
 namespace {
@@ -67,7 +68,7 @@ struct Raw {
 
 void add_options(CLI::App& app, CommandLine& line, Raw& raw) {
   app.option_defaults()->take_last();  // so that a script's defaults can be overridden behind them
-  app.set_version_flag("--version", std::string("whittle-bench ") + WHITTLE_VERSION);
+  app.set_version_flag("--version", version::text("whittle-bench"));
   app.add_flag("--quick", line.quick, "Few frames, about four minutes on software GL (default there)");
   app.add_flag("--paper", line.paper, "The papers' frames and ten repetitions (default on a graphics card)");
   app.add_option("--experiments", raw.experiments, "paper1, paper2, beyond, apart by commas (default: all)")

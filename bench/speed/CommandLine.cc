@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "version/Version.hh"
+
 namespace whittle::speed {
 namespace {
 
@@ -30,7 +32,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
 
   CLI::App app("Times Whittle's executors against OpenMesh's decimaters and other libraries.",
                "whittle-speed");
-  app.set_version_flag("--version", std::string("whittle-speed ") + WHITTLE_VERSION);
+  app.set_version_flag("--version", version::text("whittle-speed"));
   app.add_option("models", models, "Mesh files (default: the bunny and the dragon in assets/cache)");
   app.add_option(
          "--suite", suite,
