@@ -1,6 +1,7 @@
 #include "render/Framebuffer.hh"
 
 #include <algorithm>
+#include <array>
 
 namespace whittle::render {
 namespace {
@@ -12,6 +13,7 @@ void attach(const GlObject<RenderbufferKind>& storage, GLenum format, GLenum att
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, storage.name());
 }
 
+/// \param name  of a limit that is one number
 GLint limit(GLenum name) {
   GLint value = 0;
   glGetIntegerv(name, &value);
@@ -34,7 +36,9 @@ Image read_pixels(int width, int height) {
 }
 
 Framebuffer::Framebuffer(int width, int height, int samples) : width_(width), height_(height) {
-  const GLint largest = std::min(limit(GL_MAX_RENDERBUFFER_SIZE), limit(GL_MAX_VIEWPORT_DIMS));
+  std::array<GLint, 2> viewport{};  // of width and height
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+  const GLint largest = std::min({limit(GL_MAX_RENDERBUFFER_SIZE), viewport[0], viewport[1]});
   if (width < 1 || height < 1 || width > largest || height > largest)
     throw RenderError("the image size must be between 1x1 and " + std::to_string(largest) + "x" +
                       std::to_string(largest) + " on this device");
