@@ -2,8 +2,12 @@
 /// mq as an OpenMesh decimater module.
 #pragma once
 
+#include <cmath>
+
 #include "whittle/MemorylessQuadric.hh"
 #include "whittle/ModPlannedT.hh"
+#include "whittle/attributes.hh"
+#include "whittle/errors.hh"
 
 namespace whittle {
 
@@ -36,10 +40,27 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
   void set_max_distance(double distance) {
     this->change([&](MemorylessQuadric& p) { p.max_distance = distance; });
   }
+  /// Lets the mesh's vertex normals, colours and texture coordinates count beside the shape, where vertices
+  /// go as well as in what order. Lengths, not negative; default 0. \throw InvalidParameter
+  void set_value_weights(const ValueWeights& weights) {
+    for (const double weight : {weights.normals, weights.colours, weights.texture})
+      if (!(weight >= 0 && weight < HUGE_VAL))
+        throw InvalidParameter("the weight of a value must not be negative, and finite");
+    weights_ = weights;
+    this->forget();
+  }
   /// Least cosine between a face's normals before and after a collapse. -1..1, default 0.2.
   void set_flip_guard(double min_cos) {
     this->change([&](MemorylessQuadric& p) { p.guard.min_cos = min_cos; });
   }
+
+ protected:
+  void describe(const MeshT& mesh, SurfaceExtras& extras) const override {
+    add_values(mesh, weights_, extras);
+  }
+
+ private:
+  ValueWeights weights_;
 };
 
 }  // namespace whittle

@@ -67,7 +67,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   void set_planner(const Planner& planner) {
     planner.validate();
     planner_ = planner;
-    n_planned_vertices_ = kNoPlan;
+    forget();
   }
 
   /// How often the planner is run, each time on what the last one leaves; kUntilRest until nothing changes.
@@ -77,7 +77,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   void set_passes(std::size_t passes) {
     if (passes == 0) throw InvalidParameter("the number of passes must be at least 1");
     passes_ = passes;
-    n_planned_vertices_ = kNoPlan;
+    forget();
   }
   static constexpr std::size_t kUntilRest = ~std::size_t{0};
 
@@ -86,7 +86,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   /// back.
   void set_tolerance(OpenMesh::VPropHandleT<float> tolerance) {
     tolerance_ = tolerance;
-    n_planned_vertices_ = kNoPlan;
+    forget();
   }
 
   /// Plans for the mesh as it is now.
@@ -101,6 +101,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
       for (std::size_t v = 0; v < mesh.n_vertices(); ++v)
         extras.tolerance.push_back(
             mesh.property(tolerance_, typename MeshT::VertexHandle(static_cast<int>(v))));
+    describe(mesh, extras);
     const SurfaceT<typename MeshT::Scalar> surface(indexed, std::move(extras));
     const auto never = [](const auto&) { return false; };
     plan_ = plan_passes(planner_.scaled(this->error_tolerance_factor_), surface, passes_, never).plan;
@@ -188,10 +189,16 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   void set_error_tolerance_factor(double factor) override {
     const double before = this->error_tolerance_factor_;
     ModBase::set_error_tolerance_factor(factor);
-    if (this->error_tolerance_factor_ != before) n_planned_vertices_ = kNoPlan;
+    if (this->error_tolerance_factor_ != before) forget();
   }
 
  protected:
+  /// Adds what else the planner is to know of the mesh.
+  virtual void describe(const MeshT& /*mesh*/, SurfaceExtras& /*extras*/) const {}
+
+  /// Plans anew when next asked.
+  void forget() { n_planned_vertices_ = kNoPlan; }
+
   /// Changes one parameter: `change([&](Planner& p) { p.max_distance = d; })`.
   template <typename Change>
   void change(Change&& change) {

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "catch.hh"
+#include "OpenMeshFixture.hh"
 #include "measure/Distance.hh"
 #include "measure/MeshFacts.hh"
-#include "meshes.hh"
 #include "whittle/MemorylessQuadric.hh"
+#include "whittle/ModMemorylessQuadricT.hh"
 #include "whittle/bulk.hh"
 
 using namespace whittle;
@@ -113,6 +113,53 @@ TEST_CASE("values do not depend on the unit, on an offset, or on values that say
   CHECK(bulk(down_to(200), grid, doubled).mesh.triangles == plain.mesh.triangles);
   CHECK(error_of_spot(bulk(down_to(200), grid, offset).mesh) ==
         Approx(error_of_spot(plain.mesh)).epsilon(0.2));
+}
+
+TEST_CASE("the module takes its values from the mesh, as far as that has them") {
+  using Mesh = fixture::Mesh;
+  const IndexedMesh grid = meshes::flat_grid(kSide);
+  Mesh mesh = fixture::to_openmesh<Mesh>(grid);
+  const auto plan = [&](const ValueWeights& weights) {
+    OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
+    ModMemorylessQuadricT<Mesh>::Handle handle;
+    decimater.add(handle);
+    decimater.module(handle).set_target_faces(400);
+    decimater.module(handle).set_value_weights(weights);
+    return decimater.module(handle).plan();
+  };
+  const auto pairs = [](const CollapsePlan& of) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
+    for (const Collapse& collapse : of.collapses) out.emplace_back(collapse.from, collapse.to);
+    return out;
+  };
+  const auto blind = pairs(plan({}));
+  CHECK((pairs(plan({10, 10, 10})) == blind));  // it has nothing yet
+
+  mesh.request_vertex_texcoords2D();
+  mesh.request_vertex_colors();
+  mesh.request_vertex_normals();
+  for (const auto v : mesh.vertices()) {
+    const double value = spot(grid.points[static_cast<std::size_t>(v.idx())]);
+    mesh.set_texcoord2D(v, {static_cast<float>(value), 0});
+    const auto grey = static_cast<unsigned char>(std::lround(255 * value));
+    mesh.set_color(v, {grey, grey, grey});
+    mesh.set_normal(v, {0, 0, 1});
+  }
+  CHECK((pairs(plan({})) == blind));
+  const CollapsePlan seeing = plan({0, 0, 10});
+  CHECK((pairs(seeing) != blind));
+  SurfaceExtras extras;
+  extras.n_values = 2;
+  for (const auto v : mesh.vertices()) {
+    extras.values.push_back(10 * mesh.texcoord2D(v)[0]);
+    extras.values.push_back(0);
+  }
+  const bool is_same = pairs(seeing) == pairs(down_to(400).plan(SurfaceT<double>(grid, extras)));
+  CHECK(is_same);
+  CHECK(error_of_spot(execute(plan({0, 10, 0}), grid).mesh) <
+        0.4 * error_of_spot(execute(plan({}), grid).mesh));
+  CHECK((pairs(plan({10, 0, 0})) == blind));  // all normals are the same
+  CHECK_THROWS_AS(plan({0, -1, 0}), InvalidParameter);
 }
 
 TEST_CASE("values of another size than the mesh are refused") {
