@@ -17,7 +17,7 @@ namespace whittle {
 
 /// The vertices of the input, each in the list of the face that it is nearest to. A collapse takes the lists
 /// of the faces around it apart, and is refused if a point is too far from all the faces that it leaves
-/// there.
+/// there, or one of some samples of these from the input.
 ///
 /// Several threads may use it at once as long as no two touch the same face.
 class MemorylessQuadricBound {
@@ -57,7 +57,8 @@ class MemorylessQuadricBound {
     head_[face] = point;
   }
 
-  /// Finds the nearest triangle for each point of the faces. \return false  one is too far from all of them.
+  /// Finds the nearest triangle for each point of the faces.
+  /// \return false  one is too far from all of them, or one of them from the input.
   bool sort(Sorting& sorting) const;
 
   /// Carries out what `sort` has found.

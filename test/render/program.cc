@@ -144,7 +144,8 @@ TEST_CASE("help, version and devices are answered") {
   CHECK(bench.run("--help") == 0);
   CHECK_THAT(bench.out, Catch::Contains("--frames-from") && Catch::Contains("report"));
   CHECK(bench.run("--version") == 0);
-  CHECK_THAT(bench.out, Catch::StartsWith("whittle-bench ") && Catch::Contains("commit") && Catch::Contains("OpenMesh"));
+  CHECK_THAT(bench.out,
+             Catch::StartsWith("whittle-bench ") && Catch::Contains("commit") && Catch::Contains("OpenMesh"));
   CHECK(bench.run("--list-devices") == 0);
   CHECK_FALSE(bench.out.empty());
 }
