@@ -76,8 +76,7 @@ std::vector<double> excess_of_vertices(const Tried& tried, const std::vector<std
 /// takes.
 std::optional<BoundedRan> refuse_on_the_way(Work work, double bound) {
   constexpr int kRounds = 20;
-  constexpr double kLittle = 0.97, kMuch = 0.8,
-                   kMost = 0.4;  // factors, the last the least that a round may be
+  constexpr double kLittle = 0.97, kMuch = 0.8, kMost = 0.4;  // factors of what was allowed
   Spec& module = work.stages.back().module;
   if (module.name != "mq" || module.has("passes") || work.stages.size() > 1) return std::nullopt;
   module = with_max_distance(module, bound, work.scale);
@@ -99,7 +98,7 @@ std::optional<BoundedRan> refuse_on_the_way(Work work, double bound) {
   return std::nullopt;
 }
 
-/// The fewest faces, or vertices, that keep the bound; of the order of the errors.
+/// Of a module that goes by error: the fewest faces, or vertices, that keep the bound.
 BoundedRan stop_at_bound(Work work, double bound) {
   const bool by_vertices = work.floor.vertices > 0;
   std::size_t low = std::max<std::size_t>(1, by_vertices ? work.floor.vertices : work.floor.faces);

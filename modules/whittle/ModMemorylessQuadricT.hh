@@ -35,13 +35,14 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
     this->change([&](MemorylessQuadric& p) { p.feature_angle = degrees; });
   }
   /// No vertex of the mesh lies farther than this from the faces that it is left with. Model units, not
-  /// negative; the default HUGE_VAL is no bound. With passes, each bounds what it adds. \throw
-  /// InvalidParameter
+  /// negative; the default HUGE_VAL is no bound. With passes, each bounds what it adds.
+  /// \throw InvalidParameter
   void set_max_distance(double distance) {
     this->change([&](MemorylessQuadric& p) { p.max_distance = distance; });
   }
   /// Lets the mesh's vertex normals, colours and texture coordinates count beside the shape, where vertices
-  /// go as well as in what order. Lengths, not negative; default 0. \throw InvalidParameter
+  /// go as well as in what order. Lengths, not negative; default 0.
+  /// \throw InvalidParameter
   void set_value_weights(const ValueWeights& weights) {
     for (const double weight : {weights.normals, weights.colours, weights.texture})
       if (!(weight >= 0 && weight < HUGE_VAL))
