@@ -23,14 +23,14 @@ std::vector<std::uint32_t> single_values(const IndexedMesh& mesh, const Attribut
 
 }  // namespace
 
-double ValueWeights::of(Kind kind) const {
+double weight_of(Kind kind, const ValueWeights& weights) {
   switch (kind) {
     case Kind::normal:
-      return normals;
+      return weights.normals;
     case Kind::colour:
-      return colours;
+      return weights.colours;
     case Kind::texture:
-      return texture;
+      return weights.texture;
     default:
       return 0;
   }
@@ -40,11 +40,11 @@ WeightedValues weighted_values(const IndexedMesh& mesh, const Attributes& attrib
                                const ValueWeights& weights) {
   WeightedValues out;
   for (const Attribute& attribute : attributes)
-    if (weights.of(attribute.kind) > 0) out.count += attribute.components;
+    if (weight_of(attribute.kind, weights) > 0) out.count += attribute.components;
   out.values.resize(out.count * mesh.points.size());
   std::size_t first = 0;
   for (const Attribute& attribute : attributes) {
-    const double weight = weights.of(attribute.kind);
+    const double weight = weight_of(attribute.kind, weights);
     if (!(weight > 0)) continue;
     const std::vector<std::uint32_t> single = single_values(mesh, attribute);
     for (std::size_t v = 0; v < single.size(); ++v)

@@ -7,16 +7,12 @@
 
 #include "attributes/Attribute.hh"
 #include "whittle/IndexedMesh.hh"
+#include "whittle/Surface.hh"
 
 namespace whittle::attributes {
 
-/// As what length, in model units, a difference of 1 counts; 0: not at all. Of normals 1 is 60 degrees, of
-/// colours from black to full.
-struct ValueWeights {
-  double normals = 0, colours = 0, texture = 0;
-  double of(Kind kind) const;
-  bool any() const { return normals > 0 || colours > 0 || texture > 0; }
-};
+/// What is weighed of a kind of attribute.
+double weight_of(Kind kind, const ValueWeights& weights);
 
 /// For each vertex `count` values times their weights; not a number where the corners of a vertex disagree.
 struct WeightedValues {

@@ -19,18 +19,18 @@ constexpr std::pair<Driver, const char*> kDrivers[] = {
     {Driver::lazy, "lazy"},      {Driver::decimater, "decimater"}, {Driver::mc, "mc"}};
 
 /// What the first module weighs of the attributes.
-attributes::ValueWeights value_weights(const Spec& module, const Scale& scale) {
+ValueWeights value_weights(const Spec& module, const Scale& scale) {
   const auto weight = [&](const char* key) { return module.length(key, scale).value_or(0); };
   return {weight("normals"), weight("colours"), weight("texture")};
 }
 
 void add_values(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                const attributes::ValueWeights& weights, SurfaceExtras& extras) {
+                const ValueWeights& weights, SurfaceExtras& extras) {
   using attributes::Kind;
   constexpr std::pair<Kind, const char*> kKinds[] = {
       {Kind::normal, "normals"}, {Kind::colour, "colours"}, {Kind::texture, "texture coordinates"}};
   for (const auto& [kind, name] : kKinds)
-    if (weights.of(kind) > 0 &&
+    if (weight_of(kind, weights) > 0 &&
         std::none_of(attributes.begin(), attributes.end(), [k = kind](const auto& a) { return a.kind == k; }))
       throw RecipeError(std::string("module 'mq': the mesh has no ") + name);
   auto values = attributes::weighted_values(mesh, attributes, weights);
@@ -44,7 +44,7 @@ SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& s
   SurfaceExtras extras;
   extras.flags = givens.flags;
   extras.tolerance = givens.tolerance;
-  const attributes::ValueWeights weights = value_weights(module, scale);
+  const ValueWeights weights = value_weights(module, scale);
   if (weights.any())
     add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), weights, extras);
   if (!givens.attributes) return extras;

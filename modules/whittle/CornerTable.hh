@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "whittle/Fans.hh"
 #include "whittle/PackedNormal.hh"
-#include "whittle/Rings.hh"
 #include "whittle/parallel.hh"
 
 namespace whittle {
@@ -45,9 +45,9 @@ class CornerTable {
 
   CornerTable() = default;
 
-  /// \param rings  of the same triangles, with faces. Where they are complex, half-edges have no twin.
-  CornerTable(const std::vector<Rings::Triangle>& triangles, const Rings& rings, std::size_t n_vertices,
-              std::size_t n_threads);
+  /// \param triangles  all indices below `n_vertices`. A vertex has a ring if its faces form a disc or one
+  ///                    fan; a half-edge between two that have none has no twin.
+  CornerTable(const std::vector<Fans::Triangle>& triangles, std::size_t n_vertices, std::size_t n_threads);
 
   Face& face(Corner c) { return faces_[c >> 2]; }
   const Face& face(Corner c) const { return faces_[c >> 2]; }
@@ -86,32 +86,33 @@ class CornerTable {
   std::vector<Corner> first_;
 };
 
-inline CornerTable::CornerTable(const std::vector<Rings::Triangle>& triangles, const Rings& rings,
-                                std::size_t n_vertices, std::size_t n_threads)
+inline CornerTable::CornerTable(const std::vector<Fans::Triangle>& triangles, std::size_t n_vertices,
+                                std::size_t n_threads)
     : first_(n_vertices, kNoCorner) {
   faces_.reserve(triangles.size());
-  for (const Rings::Triangle& t : triangles)
+  for (const Fans::Triangle& t : triangles)
     faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, 0, 0, {}});
-  // Each half-edge gets its twin from the vertex where it starts, or, if that has no ring, where it ends.
-  const auto pair = [&](Corner in, Corner out) {
-    set_twin(out, in);
-    if (rings.shape(vertex(in)) == RingShape::complex) set_twin(in, out);
-  };
+  const Fans fans(triangles, n_vertices);
+  // Each half-edge gets its twin at the vertex where it starts.
   for_each_part(n_vertices, n_threads, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
-      const Ring ring = rings[v];
-      if (ring.n_faces() == 0) continue;
-      const Corner start = rings.corner(v, 0);
-      first_[v] = start;
-      Corner at = start;
-      for (std::size_t i = 1; i < ring.n_faces(); ++i) {
-        const Corner after = rings.corner(v, i);
-        pair(previous(at), after);
-        at = after;
-      }
-      if (ring.is_closed()) pair(previous(at), start);
+      Corner last = kNoCorner;
+      const auto shape = fans.walk(triangles, v, [&](std::size_t i, Corner c, std::uint32_t, std::uint32_t) {
+        if (i == 0)
+          first_[v] = c;
+        else
+          set_twin(c, previous(last));
+        last = c;
+      });
+      if (shape == RingShape::closed) set_twin(first_[v], previous(last));
     }
   });
+  bool complete = true;
+  for (std::uint32_t v = 0; v < n_vertices; ++v) complete &= first_[v] != kNoCorner || fans.valence(v) == 0;
+  // If that has no ring, where it ends.
+  for (Corner f = 0; !complete && f < 4 * triangles.size(); f += 4)
+    for (Corner c = f; c < f + 3; ++c)
+      if (twin(c) != kNoCorner && first_[vertex(twin(c))] == kNoCorner) set_twin(twin(c), c);
 }
 
 inline void CornerTable::collapse(Corner c) {

@@ -12,70 +12,101 @@
 
 #include "whittle/CollapsePlan.hh"
 #include "whittle/CornerTable.hh"
+#include "whittle/Four.hh"
 #include "whittle/MemorylessQuadricMesh.hh"
 #include "whittle/PackedNormal.hh"
 #include "whittle/SymmetricMatrix.hh"
 
 namespace whittle {
 
-/// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
-/// slight pull to the middle that decides where the planes leave a direction open.
-inline auto MemorylessQuadricMesh::best_place(Corner c) const -> Placement {
-  const std::uint32_t a = table_.vertex(c), b = table_.vertex(next(c));
-  SymmetricMatrix at_a = quadrics_[a], at_b = quadrics_[b];
-  const Vec e = vertices_[b].position - vertices_[a].position;
-  if (!values_.empty()) {
-    at_a += values_.along(a, b, e, a);
-    at_b += values_.along(a, b, e, b);
+inline auto MemorylessQuadricMesh::place(const std::array<Corner, 4>& corners) const -> Placements {
+  FourEdges edges;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& vertex = table_.face(corners[i]).vertex;
+    const std::uint32_t a = vertex[corners[i] & 3], b = vertex[next(corners[i]) & 3];
+    edges.start[i] = a;
+    edges.end[i] = b;
+    edges.at_start[i] = &quadrics_[a];
+    edges.at_end[i] = &quadrics_[b];
   }
-  const Vec pull_b = at_b * e;
-  if (holds_[a] == kFixed) return {Vec::Zero(), std::max(0.0f, e.dot(pull_b))};
-  if (holds_[b] == kFixed) return {e, std::max(0.0f, e.dot(at_a * e))};
-  const SymmetricMatrix sum = at_a + at_b;
-  const float pull = 1e-5f * sum.trace();
-  const Vec middle = e / 2;
-  const Vec u = (sum + SymmetricMatrix::identity(pull)).solve(pull_b + pull * middle);
-  if ((u - middle).squaredNorm() <= 4 * e.squaredNorm())
-    return {u, std::max(0.0f, (e - u).dot(pull_b) - pull * u.dot(u - middle))};
-  return {middle, std::max(0.0f, middle.dot(sum * middle))};
+  if (values_.empty()) return best_places(edges);
+  std::array<SymmetricMatrix, 8> sums;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint32_t a = edges.start[i], b = edges.end[i];
+    const Vec e = edge(corners[i]);
+    edges.at_start[i] = &(sums[i] = quadrics_[a] + values_.along(a, b, e, a));
+    edges.at_end[i] = &(sums[4 + i] = quadrics_[b] + values_.along(a, b, e, b));
+  }
+  return best_places(edges);
 }
 
-inline auto MemorylessQuadricMesh::place(Corner c) const -> Placement {
-  Placement placement = best_place(c);
-  if (!weights_.empty())
-    placement.cost *= std::max(weights_[table_.vertex(c)], weights_[table_.vertex(next(c))]);
-  return placement;
+/// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
+/// slight pull to the middle that decides where the planes leave a direction open.
+inline auto MemorylessQuadricMesh::best_places(const FourEdges& edges) const -> Placements {
+  std::array<const float*, 4> starts, ends;
+  bool irregular = !weights_.empty();
+  for (std::size_t i = 0; i < 4; ++i) {
+    starts[i] = vertices_[edges.start[i]].position.data();
+    ends[i] = vertices_[edges.end[i]].position.data();
+    irregular |= holds_[edges.start[i]] + holds_[edges.end[i]] != kFree;
+  }
+  const FourVectors e = gathered(ends) - gathered(starts);
+  const FourMatrices at_b = gathered(edges.at_end), sum = gathered(edges.at_start) + at_b;
+  const FourVectors pull_b = at_b * e;
+  const Four pull = 1e-5f * sum.trace();
+  const FourVectors middle = Four(0.5f) * e;
+  FourVectors pivots = e;
+  const FourVectors u = (sum + FourMatrices::identity(pull)).solve(pull_b + pull * middle, pivots);
+  const FourVectors off = u - middle;
+  const Four cost = (e - u).dot(pull_b) - pull * u.dot(off);
+  const Four least = pivots.x().min(pivots.y()).min(pivots.z()),
+             far = 4 * e.squaredNorm() - off.squaredNorm();
+  Placements placements;
+  Eigen::Matrix4f::Map(&placements[0].offset.x()) = transposed(u.x(), u.y(), u.z(), cost.max(0.0f));
+
+  for (Eigen::Index i = 0; i < 4; ++i) irregular |= !(least[i] > 0 && far[i] >= 0);
+  if (irregular)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t start = edges.start[i], end = edges.end[i];
+      const auto k = static_cast<Eigen::Index>(i);
+      if (holds_[start] + holds_[end] != kFree || !(least[k] > 0 && far[k] >= 0))
+        placements[i] = safe_place(vertices_[end].position - vertices_[start].position, holds_[start],
+                                   holds_[end], *edges.at_start[i], *edges.at_end[i]);
+      if (!weights_.empty()) placements[i].cost *= std::max(weights_[start], weights_[end]);
+    }
+  return placements;
+}
+
+/// At the end that is held, or in the middle.
+inline auto MemorylessQuadricMesh::safe_place(const Vec& e, Hold a, Hold b, const SymmetricMatrix& at_a,
+                                              const SymmetricMatrix& at_b) -> Placement {
+  if (a == kFixed) return {Vec::Zero(), std::max(0.0f, e.dot(at_b * e))};
+  if (b == kFixed) return {e, std::max(0.0f, e.dot(at_a * e))};
+  const Vec middle = e / 2;
+  return {middle, std::max(0.0f, middle.dot((at_a + at_b) * middle))};
 }
 
 /// Goes around `v`: shows its neighbours to `visit`, and collects the faces that stay when half-edge `c`
-/// collapses to `target`.
+/// collapses. \return  false  the ring leaves the hand's part.
 template <typename Visit>
-auto MemorylessQuadricMesh::survey(std::uint32_t v, Corner c, const Vec& target, Hand& hand, Visit visit)
-    -> Verdict {
-  const Corner d = table_.twin(c), first = table_.first(v);
-  const float limit = min_cos_ * std::abs(min_cos_);
-  if (!hand.has(table_.vertex(next(first)))) return Verdict::elsewhere;
-  Corner at = first, last = first;
+bool MemorylessQuadricMesh::survey(std::uint32_t v, Corner c, Hand& hand, Visit visit) {
+  const Corner first = table_.first(v), d = table_.twin(c);
+  const std::uint32_t side_c = c >> 2, side_d = d == kNoCorner ? side_c : d >> 2;
+  std::uint32_t w = table_.vertex(next(first));
+  if (!hand.has(w)) return false;
+  Corner at = first;
   do {
-    const std::uint32_t after = table_.vertex(previous(at));  // the neighbour that comes next
-    if (!hand.has(after)) return Verdict::elsewhere;
-    visit(vertices_[table_.vertex(next(at))]);
-    if (at >> 2 != c >> 2 && (d == kNoCorner || at >> 2 != d >> 2)) {
-      const Vec &p = position(at), &q = position(next(at)), &r = vertices_[after].position;
-      const Turn turn{at, (q - p).cross(r - p), (q - target).cross(r - target)};
-      const float before = turn.before.squaredNorm(), now = turn.after.squaredNorm();
-      const float cosine = turn.before.dot(turn.after);
-      if (before > 0 && !(cosine * std::abs(cosine) > limit * before * now)) return Verdict::illegal;
-      const PackedNormal input = table_.face(at).normal;
-      const float overall = input.unpacked().dot(turn.after);
-      if (!input.is_none() && !(overall > 0 && overall * overall > kUpright * now)) return Verdict::illegal;
-      hand.turns.push_back(turn);
-    }
-    last = at;
-    at = table_.around(at);
+    visit(vertices_[w]);
+    const CornerTable::Face& face = table_.face(at);
+    const Corner back = previous(at);
+    const std::uint32_t after = face.vertex[back & 3];  // the neighbour that comes next
+    if (!hand.has(after)) return false;
+    if (at >> 2 != side_c && at >> 2 != side_d) hand.ring.add() = {v, w, after, at, face.normal};
+    w = after;
+    at = face.twin[back & 3];
   } while (at != kNoCorner && at != first);
-  if (at == kNoCorner) visit(vertices_[table_.vertex(previous(last))]);
-  return Verdict::legal;
+  if (at == kNoCorner) visit(vertices_[w]);
+  return true;
 }
 
 inline auto MemorylessQuadricMesh::judge(Corner c, const Placement& placement, Hand& hand) -> Verdict {
@@ -85,32 +116,36 @@ inline auto MemorylessQuadricMesh::judge(Corner c, const Placement& placement, H
   if ((a_open && !b_open && holds_[b] != kFree) || (b_open && !a_open && holds_[a] != kFree))
     return Verdict::illegal;  // the boundary would leave its place
 
-  const Vec target = position(c) + placement.offset;
   const std::uint32_t mark = hand.stamp += hand.stride;
-  hand.turns.clear();
+  hand.ring.clear();
   std::size_t common = 0;
-  const Verdict around_a = survey(a, c, target, hand, [&](Vertex& v) { v.mark = mark; });
-  if (around_a != Verdict::legal) return around_a;
-  const std::size_t of_a = hand.turns.size();
-  const Verdict around_b = survey(b, c, target, hand, [&](const Vertex& v) { common += v.mark == mark; });
-  if (around_b != Verdict::legal) return around_b;
-  const std::size_t of_b = hand.turns.size() - of_a;
+  if (!survey(a, c, hand, [&](Vertex& v) { v.mark = mark; })) return Verdict::elsewhere;
+  const std::size_t of_a = hand.ring.size();
+  const auto count = [&](Vertex& v) {
+    common += v.mark == mark;
+    v.mark = mark;
+  };
+  if (!survey(b, c, hand, count)) return Verdict::elsewhere;
+  if (common != (interior ? 2u : 1u)) return Verdict::illegal;
+  const std::size_t of_b = hand.ring.size() - of_a;
   const bool ear = (keeps_end(c) ? of_a : of_b) == 0;                                  // its tip would vanish
   const bool back_to_back = interior && !a_open && !b_open && of_a <= 1 && of_b <= 1;  // two faces would be
-  const bool legal = !ear && !back_to_back && common == (interior ? 2u : 1u);
-  return legal && (bound_.empty() || keeps_bound(c, target, hand)) ? Verdict::legal : Verdict::illegal;
+  if (ear || back_to_back) return Verdict::illegal;
+  const Vec target = position(c) + placement.offset;
+  if (!hand.ring.turn(vertices_, target, min_cos_ * std::abs(min_cos_))) return Verdict::illegal;
+  return bound_.empty() || keeps_bound(c, target, hand) ? Verdict::legal : Verdict::illegal;
 }
 
-/// Whether the points of the faces around the edge, those of `hand.turns` and those that vanish, stay near.
+/// Whether the points of the faces around the edge, those of the ring and those that vanish, stay near.
 inline bool MemorylessQuadricMesh::keeps_bound(Corner c, const Vec& target, Hand& hand) const {
   auto& sorting = hand.sorting;
   sorting.clear();
   for (const Corner side : {c, table_.twin(c)})
     if (side != kNoCorner) sorting.faces.push_back(side >> 2);
-  for (const Turn& turn : hand.turns) {
-    const std::uint32_t face = turn.corner >> 2;
+  for (const auto& side : hand.ring) {
+    const std::uint32_t face = side.corner >> 2;
     sorting.faces.push_back(face);
-    sorting.triangles.push_back({face, target, position(next(turn.corner)), position(previous(turn.corner))});
+    sorting.triangles.push_back({face, target, vertices_[side.from].position, vertices_[side.to].position});
   }
   return bound_.sort(sorting);
 }
@@ -155,13 +190,7 @@ inline void MemorylessQuadricMesh::update_ring(Corner c, const Hand& hand, Symme
   }
   for (const std::uint32_t v : {table_.vertex(c), table_.vertex(next(c))})
     for_each_line(v, [&](Corner half, std::uint32_t w) { quadrics_[w] -= boundary_quadric(edge(half)); });
-  for (const Turn& turn : hand.turns) {
-    const SymmetricMatrix after = face_quadric(turn.after);
-    own += after;
-    const SymmetricMatrix change = after - face_quadric(turn.before);
-    quadrics_[table_.vertex(next(turn.corner))] += change;
-    quadrics_[table_.vertex(previous(turn.corner))] += change;
-  }
+  own += hand.ring.update([&](std::uint32_t v, const SymmetricMatrix& change) { quadrics_[v] += change; });
 }
 
 /// The same for the values, whose sums depend on where the corners were and what values they had.
@@ -186,12 +215,12 @@ inline void MemorylessQuadricMesh::update_values(Corner c, const Vec& target, fl
     add(table_.vertex(tip), term_of(tip, position(tip), values_.at(table_.vertex(tip))), -1);
   }
   Term sum;
-  for (const Turn& turn : hand.turns) {
-    const Term before = term_of(turn.corner, position(turn.corner), values_.at(table_.vertex(turn.corner)));
-    const Term after = term_of(turn.corner, target, merged.data());
-    for (const Corner w : {next(turn.corner), previous(turn.corner)}) {
-      add(table_.vertex(w), before, -1);
-      add(table_.vertex(w), after, 1);
+  for (const auto& side : hand.ring) {
+    const Term before = term_of(side.corner, vertices_[side.moving].position, values_.at(side.moving));
+    const Term after = term_of(side.corner, target, merged.data());
+    for (const std::uint32_t w : {side.from, side.to}) {
+      add(w, before, -1);
+      add(w, after, 1);
     }
     MemorylessQuadricValues::add(sum, after);
   }

@@ -13,6 +13,7 @@
 #include "whittle/Crew.hh"
 #include "whittle/IndexedMesh.hh"
 #include "whittle/MemorylessQuadricBound.hh"
+#include "whittle/MemorylessQuadricRing.hh"
 #include "whittle/MemorylessQuadricValues.hh"
 #include "whittle/MortonOrder.hh"
 #include "whittle/Surface.hh"
@@ -36,11 +37,6 @@ class MemorylessQuadricMesh {
     Vec offset;  ///< from the start of the half-edge
     float cost;
   };
-  /// A face around the edge that is judged, and the corner that moves.
-  struct Turn {
-    Corner corner;
-    Vec before, after;  ///< its normal, twice its area long
-  };
   using Part = std::uint16_t;
   static constexpr Part kEverywhere = 0;  ///< no part: of a face between parts, of a hand that works alone
   /// The part that one thread works in, and its notes.
@@ -48,7 +44,7 @@ class MemorylessQuadricMesh {
     Part part = kEverywhere;
     std::uint32_t begin = 0, size = 0xffffffffu;  ///< its vertices
     std::uint32_t stamp = 0, stride = 1;  ///< the last mark that it has set; no other hand sets the same
-    std::vector<Turn> turns = {};         ///< of the edge that was judged last
+    MemorylessQuadricRing ring = {};      ///< around the edge that was judged last
     MemorylessQuadricBound::Sorting sorting = {};  ///< of the same, where there is a bound
     bool has(std::uint32_t v) const { return v - begin < size; }
   };
@@ -78,7 +74,14 @@ class MemorylessQuadricMesh {
     const Hold a = holds_[table_.vertex(c)], b = holds_[table_.vertex(next(c))];
     return a + b <= kFixed;
   }
-  Placement place(Corner c) const;
+  using Placements = std::array<Placement, 4>;
+  Placements place(const std::array<Corner, 4>& corners) const;
+  Placement place(Corner c) const { return place({c, c, c, c})[0]; }
+  /// Whether an end's surroundings may have changed since the hand had that stamp.
+  bool is_touched(Corner c, const Hand& hand, std::uint32_t since) const {
+    const auto is_later = [&](std::uint32_t v) { return vertices_[v].mark - since - 1 < hand.stamp - since; };
+    return is_later(table_.vertex(c)) || is_later(table_.vertex(next(c)));
+  }
   /// The guard and the link condition: the ends have no neighbours in common but those opposite the edge.
   Verdict judge(Corner c, const Placement& placement, Hand& hand);
   /// Collapses the edge that the hand has just judged.
@@ -102,20 +105,15 @@ class MemorylessQuadricMesh {
   MemorylessQuadricMesh(MortonOrder order, float min_cos, Crew& crew);
 
   /// What every visit of a vertex needs; the rest lies apart, so that more of these stay in the cache.
-  struct Vertex {
-    Vec position;
-    std::uint32_t mark;
-  };
+  using Vertex = MemorylessQuadricRing::Vertex;
   enum Hold : std::uint8_t { kFree, kFixed, kUntouchable };
 
   static constexpr double kPi = 3.14159265358979323846;
-  /// Faces may turn so much less than 90 degrees against their packed normal in the input.
-  static constexpr float kUpright = 1e-4f;
 
   const Vec& position(Corner c) const {
     return vertices_[table_.vertex(c)].position;
   }
-  Vec edge(Corner c) const {
+  EIGEN_ALWAYS_INLINE Vec edge(Corner c) const {
     return position(next(c)) - position(c);
   }
 
@@ -130,17 +128,25 @@ class MemorylessQuadricMesh {
   }
 
   Part part_of(std::uint32_t v) const {
-    return static_cast<Part>(v / part_size_ + 1);
+    return static_cast<Part>((v * parts_per_vertex_ >> 32) + 1);
   }
-  void find_first_faces();
+  void cut();
   void sum_quadrics(Crew& crew);
-  void add_face(Corner f);
+  void add_faces(const std::array<Corner, 4>& faces, std::size_t n);
+  void add_face(Corner f, SymmetricMatrix quadric);
   void set_values(const SurfaceExtras& extras);
   void mark_features(double angle);
   void set_weights(const std::vector<float>& tolerance);
   void set_bound(double distance, const std::vector<float>& tolerance);
   bool keeps_bound(Corner c, const Vec& target, Hand& hand) const;
-  Placement best_place(Corner c) const;
+  /// Four edges by their vertices, with the quadrics there.
+  struct FourEdges {
+    std::array<std::uint32_t, 4> start, end;
+    std::array<const SymmetricMatrix*, 4> at_start, at_end;
+  };
+  Placements best_places(const FourEdges& edges) const;
+  static Placement safe_place(const Vec& e, Hold a, Hold b, const SymmetricMatrix& at_a,
+                              const SymmetricMatrix& at_b);
 
   /// Whether it is the end of the half-edge that survives: it is held, or it alone is on the boundary.
   bool keeps_end(Corner c) const {
@@ -148,7 +154,7 @@ class MemorylessQuadricMesh {
     return holds_[end] == kFixed || (table_.is_open(end) && !table_.is_open(start));
   }
   template <typename Visit>
-  Verdict survey(std::uint32_t v, Corner c, const Vec& target, Hand& hand, Visit visit);
+  bool survey(std::uint32_t v, Corner c, Hand& hand, Visit visit);
   template <typename Visit>
   void for_each_line(std::uint32_t v, Visit visit) const;
   void update_ring(Corner c, const Hand& hand, SymmetricMatrix& own);
@@ -162,8 +168,9 @@ class MemorylessQuadricMesh {
   std::vector<Vertex> vertices_;
   std::vector<SymmetricMatrix> quadrics_;
   std::vector<Hold> holds_;
-  std::uint32_t part_size_ = 1;  // in vertices; the last part may be smaller
   Part n_parts_ = 0;
+  std::uint64_t parts_per_vertex_ = 1;       // times 2^32
+  std::vector<std::uint32_t> first_vertex_;  // of each part, and where the last ends
   std::vector<std::size_t> first_face_;
   std::vector<float> weights_;  // of costs; empty where all are 1
   MemorylessQuadricValues values_;
@@ -180,8 +187,8 @@ inline auto MemorylessQuadricMesh::hand(Part part) const -> Hand {
   hand.stamp = part;
   hand.stride = n_parts_ + 1u;
   if (part == kEverywhere) return hand;
-  hand.begin = (part - 1u) * part_size_;
-  hand.size = part_size_;
+  hand.begin = first_vertex_[part - 1u];
+  hand.size = first_vertex_[part] - hand.begin;
   return hand;
 }
 

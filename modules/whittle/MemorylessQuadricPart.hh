@@ -63,24 +63,37 @@ class MemorylessQuadricPart {
   bool has(Corner c) const {
     return hand_.part == MemorylessQuadricMesh::kEverywhere || mesh_.table().face(c).part == hand_.part;
   }
+  std::size_t take_four(std::size_t end);
+  void work(Corner c, const MemorylessQuadricMesh::Placement& placement, MemorylessQuadricGoal& goal);
   void prefetch() const;
 
   MemorylessQuadricMesh& mesh_;
   MemorylessQuadricMesh::Hand hand_;
   BucketQueue queue_;
+  std::array<Corner, 4> four_ = {};  // whose turn it is
+  MemorylessQuadricMesh::Placements placements_ = {};
+  std::uint32_t since_ = 0;  // the hand's stamp then
 };
 
 inline void MemorylessQuadricPart::queue_all(std::size_t first_face, std::size_t last_face) {
   CornerTable& table = mesh_.table();
   std::vector<BucketQueue::Entry> own;
   own.reserve(3 * (last_face - first_face) / 2 + 1);
+  const auto take = [&](const std::array<Corner, 4>& corners, std::size_t n) {
+    const auto placements = mesh_.place(corners);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto bucket = static_cast<std::uint32_t>(BucketQueue::bucket_of(placements[i].cost));
+      (has(corners[i]) ? own : strays).push_back({corners[i], bucket});
+    }
+  };
+  InFours<Corner, decltype(take)> edges(take);
   for (Corner f = static_cast<Corner>(4 * first_face); f < 4 * last_face; f += 4)
     for (Corner c = f; c < f + 3; ++c) {
       if ((table.twin(c) != kNoCorner && c > table.twin(c)) || !mesh_.is_movable(c)) continue;
-      const std::size_t bucket = BucketQueue::bucket_of(mesh_.place(c).cost);
       table.face(c).queued |= bit_of(c);
-      (has(c) ? own : strays).push_back({c, static_cast<std::uint32_t>(bucket)});
+      edges.add(c);
     }
+  edges.flush();
   queue_.push_all(own);
 }
 
@@ -88,47 +101,68 @@ inline void MemorylessQuadricPart::queue_all(std::size_t first_face, std::size_t
 inline void MemorylessQuadricPart::prefetch() const {
 #if defined(__GNUC__)
   if (const std::uint32_t* later = queue_.peek(16)) __builtin_prefetch(&mesh_.table().face(*later));
-  if (const std::uint32_t* soon = queue_.peek(4)) mesh_.prefetch(*soon, hand_);
+  if (const std::uint32_t* soon = queue_.peek(6)) mesh_.prefetch(*soon, hand_);
 #endif
 }
 
-inline void MemorylessQuadricPart::work(std::size_t end, MemorylessQuadricGoal goal) {
-  CornerTable& table = mesh_.table();
+/// Takes up to four edges of the next bucket that has any. \return  how many
+inline std::size_t MemorylessQuadricPart::take_four(std::size_t end) {
+  const CornerTable& table = mesh_.table();
+  std::size_t n = 0;
   Corner c = 0;
-  while (goal.remaining() > 0 && queue_.pop(c, end)) {
+  while (n < 4 && (n == 0 || queue_.size(queue_.bucket()) > 0) && queue_.pop(c, end)) {
     prefetch();
-    if (!has(c)) {
+    if (!has(c))
       strays.push_back({c, static_cast<std::uint32_t>(queue_.bucket())});
-      continue;
+    else if (!table.is_dead(c) && (table.face(c).queued & bit_of(c)) != 0)
+      four_[n++] = c;
+  }
+  std::fill(four_.begin() + n, four_.end(), four_[0]);
+  if (n > 0) placements_ = mesh_.place(four_);
+  since_ = hand_.stamp;
+  return n;
+}
+
+inline void MemorylessQuadricPart::work(std::size_t end, MemorylessQuadricGoal goal) {
+  const CornerTable& table = mesh_.table();
+  while (goal.remaining() > 0) {
+    const std::size_t n = take_four(end);
+    if (n == 0) return;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Corner c = four_[i];
+      if (table.is_dead(c) || (table.face(c).queued & bit_of(c)) == 0) continue;
+      if (goal.remaining() == 0 || mesh_.is_touched(c, hand_, since_))
+        queue_.push(c, queue_.bucket());
+      else
+        work(c, placements_[i], goal);
     }
-    std::uint16_t& queued = table.face(c).queued;
-    if (table.is_dead(c) || !(queued & bit_of(c))) continue;
-    queued &= static_cast<std::uint16_t>(~bit_of(c));
-    if (!mesh_.is_movable(c)) continue;
-    const auto placement = mesh_.place(c);
-    const std::size_t bucket = BucketQueue::bucket_of(placement.cost);
-    // Its surroundings may have changed since it was queued. Far from the target a little dearer is good
-    // enough.
-    constexpr float kOctaves = 2;
-    const float tolerance = kOctaves * BucketQueue::kBucketsPerOctave * static_cast<float>(goal.remaining()) /
-                            static_cast<float>(goal.all);
-    if (bucket > queue_.bucket() + static_cast<std::size_t>(tolerance)) {
-      enqueue(c, bucket);
-      continue;
-    }
-    const auto verdict = mesh_.judge(c, placement, hand_);
-    if (verdict == MemorylessQuadricMesh::Verdict::elsewhere) {
-      queued |= bit_of(c);
-      strays.push_back({c, static_cast<std::uint32_t>(bucket)});
-    } else if (verdict == MemorylessQuadricMesh::Verdict::legal) {
-      std::array<Corner, 2> unqueued;
-      done.push_back({mesh_.collapse(c, placement, hand_, unqueued), queue_.bucket()});
-      goal.count(done.back().collapse);
-      for (const Corner at : unqueued)
-        if (at != kNoCorner) enqueue(at, BucketQueue::bucket_of(mesh_.place(at).cost));
-    } else if (queue_.bucket() + 1 < BucketQueue::kBuckets) {
-      enqueue(c, queue_.bucket() + 4 * BucketQueue::kBucketsPerOctave);  // its surroundings may change yet
-    }
+  }
+}
+
+inline void MemorylessQuadricPart::work(Corner c, const MemorylessQuadricMesh::Placement& placement,
+                                        MemorylessQuadricGoal& goal) {
+  std::uint16_t& queued = mesh_.table().face(c).queued;
+  queued &= static_cast<std::uint16_t>(~bit_of(c));
+  if (!mesh_.is_movable(c)) return;
+  const std::size_t bucket = BucketQueue::bucket_of(placement.cost);
+  // Its surroundings may have changed since it was queued. Far from the target a little dearer is good
+  // enough.
+  constexpr float kOctaves = 2;
+  const float tolerance = kOctaves * BucketQueue::kBucketsPerOctave * static_cast<float>(goal.remaining()) /
+                          static_cast<float>(goal.all);
+  if (bucket > queue_.bucket() + static_cast<std::size_t>(tolerance)) return enqueue(c, bucket);
+  const auto verdict = mesh_.judge(c, placement, hand_);
+  if (verdict == MemorylessQuadricMesh::Verdict::elsewhere) {
+    queued |= bit_of(c);
+    strays.push_back({c, static_cast<std::uint32_t>(bucket)});
+  } else if (verdict == MemorylessQuadricMesh::Verdict::legal) {
+    std::array<Corner, 2> unqueued;
+    done.push_back({mesh_.collapse(c, placement, hand_, unqueued), queue_.bucket()});
+    goal.count(done.back().collapse);
+    for (const Corner at : unqueued)
+      if (at != kNoCorner) enqueue(at, BucketQueue::bucket_of(mesh_.place(at).cost));
+  } else if (queue_.bucket() + 1 < BucketQueue::kBuckets) {
+    enqueue(c, queue_.bucket() + 4 * BucketQueue::kBucketsPerOctave);  // its surroundings may change yet
   }
 }
 

@@ -117,6 +117,7 @@ inline void MemorylessQuadricRun::run(std::size_t target_faces, std::size_t targ
   goal_.faces = over(n_faces_, target_faces);
   goal_.vertices = over(n_vertices_, target_vertices);
   goal_.all = goal_.remaining();
+  plan_.collapses.reserve(goal_.remaining() / 2 + 1);
   while (goal_.remaining() > 0) {
     const std::size_t begin = next_bucket();
     if (begin == BucketQueue::kBuckets) break;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +13,7 @@
 
 #include "whittle/CornerTable.hh"
 #include "whittle/Crew.hh"
+#include "whittle/Four.hh"
 #include "whittle/IndexedMesh.hh"
 #include "whittle/MemorylessQuadricMesh.hh"
 #include "whittle/MortonOrder.hh"
@@ -26,19 +28,14 @@ template <typename Real>
 MemorylessQuadricMesh::MemorylessQuadricMesh(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
                                              const Options& options, Crew& crew)
     : MemorylessQuadricMesh(MortonOrder(mesh, !extras.reference_normals.empty()), options.min_cos, crew) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL), high = -low;
-  for (const auto& p : mesh.points) {
-    low = low.cwiseMin(p.template cast<double>());
-    high = high.cwiseMax(p.template cast<double>());
-  }
-  center_ = (low + high) / 2;
-  if ((high - low).maxCoeff() > 0) scale_ = (high - low).maxCoeff();
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+  vertices_.reserve(input_.size());
+  for (std::size_t i = 0; i < input_.size(); ++i) {
     const std::uint32_t v = input_[i];
     const Eigen::Vector3d p = mesh.points[v].template cast<double>();
-    vertices_[i] = {((p - center_) / scale_).template cast<float>(), 0};
+    vertices_.push_back({((p - center_) * (1 / scale_)).cast<float>(), 0});
     if (holds_[i] == kFree && !extras.flags.empty() && (extras.flags[v] & kHeld)) holds_[i] = kFixed;
   }
+  quadrics_.resize(vertices_.size());
   if (!extras.tolerance.empty()) set_weights(extras.tolerance);
   if (extras.n_values > 0) set_values(extras);
   sum_quadrics(crew);
@@ -54,59 +51,79 @@ MemorylessQuadricMesh::MemorylessQuadricMesh(const IndexedMeshT<Real>& mesh, con
 inline MemorylessQuadricMesh::MemorylessQuadricMesh(MortonOrder order, float min_cos, Crew& crew)
     : input_(std::move(order.vertex)),
       input_face_(std::move(order.face)),
-      vertices_(input_.size()),
-      quadrics_(input_.size()),
       holds_(input_.size(), kFree),
-      min_cos_(min_cos) {
-  const Rings rings(order.triangles, input_.size(), true, crew.size());
-  table_ = CornerTable(order.triangles, rings, input_.size(), crew.size());
+      min_cos_(min_cos),
+      center_((order.low + order.high) / 2) {
+  if ((order.high - order.low).maxCoeff() > 0) scale_ = (order.high - order.low).maxCoeff();
+  table_ = CornerTable(order.triangles, input_.size(), crew.size());
   for (std::uint32_t v = 0; v < input_.size(); ++v)
-    if (rings.shape(v) == RingShape::complex) holds_[v] = kUntouchable;
+    if (table_.first(v) == kNoCorner) holds_[v] = kUntouchable;
+  cut();
+}
+
+/// Vertices by their numbers, and faces, which come in the order of their smallest vertex.
+inline void MemorylessQuadricMesh::cut() {
   // Larger parts leave less between them, smaller ones fit the cache; four keep several threads busy.
   constexpr std::size_t kPartSize = 16384, kLeastSize = 4096, kSome = 4;
   const std::size_t n = input_.size(), some = std::clamp<std::size_t>(n / kLeastSize, 1, kSome);
-  const std::size_t n_parts = std::clamp<std::size_t>(n / kPartSize, some, 0xffff);
-  part_size_ = static_cast<std::uint32_t>(std::max<std::size_t>(1, (n + n_parts - 1) / n_parts));
-  n_parts_ = static_cast<Part>(n_parts);
-  find_first_faces();
-}
-
-/// Faces come in the order of their smallest vertex.
-inline void MemorylessQuadricMesh::find_first_faces() {
-  first_face_.assign(n_parts() + 1u, table_.n_faces());
-  for (std::size_t f = table_.n_faces(); f-- > 0;) {
-    const auto& t = table_.face(static_cast<Corner>(4 * f)).vertex;
-    first_face_[part_of(std::min({t[0], t[1], t[2]})) - 1u] = f;
+  n_parts_ = static_cast<Part>(std::clamp<std::size_t>(n / kPartSize, some, 0xffff));
+  parts_per_vertex_ = (std::uint64_t{n_parts_} << 32) / std::max<std::size_t>(n, 1);
+  for (std::uint64_t part = 0; part <= n_parts_; ++part) {
+    const std::uint64_t v = ((part << 32) + parts_per_vertex_ - 1) / parts_per_vertex_;
+    first_vertex_.push_back(static_cast<std::uint32_t>(part < n_parts_ ? v : n));
+    const auto before = [](const CornerTable::Face& face, std::uint32_t vertex) {
+      return *std::min_element(face.vertex.begin(), face.vertex.end()) < vertex;
+    };
+    const auto* const faces = table_.faces();
+    first_face_.push_back(static_cast<std::size_t>(
+        std::lower_bound(faces, faces + table_.n_faces(), first_vertex_.back(), before) - faces));
   }
-  for (std::size_t i = n_parts(); i-- > 0;) first_face_[i] = std::min(first_face_[i], first_face_[i + 1]);
 }
 
 /// Each part by itself, then what lies between them: the same sums for any number of threads.
 inline void MemorylessQuadricMesh::sum_quadrics(Crew& crew) {
+  const auto take = [this](const std::array<Corner, 4>& faces, std::size_t n) { add_faces(faces, n); };
   std::vector<std::vector<Corner>> between(n_parts());
   crew.each(n_parts(), [&](std::size_t i) {
+    InFours<Corner, decltype(take)> own(take);
     for (std::size_t f = first_face_[i]; f < first_face_[i + 1]; ++f) {
       const auto c = static_cast<Corner>(4 * f);
       set_part(c);
       if (table_.face(c).part == kEverywhere)
         between[i].push_back(c);
       else
-        add_face(c);
+        own.add(c);
     }
+    own.flush();
   });
+  InFours<Corner, decltype(take)> others(take);
   for (const std::vector<Corner>& faces : between)
-    for (const Corner c : faces) add_face(c);
+    for (const Corner c : faces) others.add(c);
+  others.flush();
 }
 
-inline void MemorylessQuadricMesh::add_face(Corner f) {
-  const Vec normal = edge(f).cross(-edge(f + 2));
-  const float length = normal.norm();
-  SymmetricMatrix quadric;
-  if (length > 0) {
-    const Vec unit = normal * (1 / length);
-    table_.face(f).normal = PackedNormal(unit);
-    quadric = SymmetricMatrix::outer(unit, length);
+/// The first `n` of four.
+inline void MemorylessQuadricMesh::add_faces(const std::array<Corner, 4>& faces, std::size_t n) {
+  std::array<const float*, 4> at_p, at_q, at_r;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [p, q, r] = table_.face(faces[i]).vertex;
+    at_p[i] = vertices_[p].position.data();
+    at_q[i] = vertices_[q].position.data();
+    at_r[i] = vertices_[r].position.data();
   }
+  const FourVectors p = gathered(at_p), normal = (gathered(at_q) - p).cross(gathered(at_r) - p);
+  const Four square = normal.squaredNorm(), reciprocal = reciprocal_lengths(square);
+  const auto quadrics = apart(FourMatrices::outer(normal, reciprocal));
+  const Eigen::Matrix4f units =
+      transposed(reciprocal * normal.x(), reciprocal * normal.y(), reciprocal * normal.z(), square);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto unit = units.col(static_cast<Eigen::Index>(i));
+    if (unit[3] > kLeastLength * kLeastLength) table_.face(faces[i]).normal = PackedNormal(unit.head<3>());
+    add_face(faces[i], quadrics[i]);
+  }
+}
+
+inline void MemorylessQuadricMesh::add_face(Corner f, SymmetricMatrix quadric) {
   if (!values_.empty()) {
     const auto& [a, b, c] = table_.face(f).vertex;
     const auto term = values_.term(position(f), position(f + 1), position(f + 2), values_.at(a),
@@ -114,8 +131,10 @@ inline void MemorylessQuadricMesh::add_face(Corner f) {
     quadric += term.form;
     for (const std::uint32_t v : table_.face(f).vertex) values_.add(v, term, 1);
   }
+  const auto& face = table_.face(f);
+  for (const std::uint32_t v : face.vertex) quadrics_[v] += quadric;
+  if (face.twin[0] != kNoCorner && face.twin[1] != kNoCorner && face.twin[2] != kNoCorner) return;
   for (Corner c = f; c < f + 3; ++c) {
-    quadrics_[table_.vertex(c)] += quadric;
     if (table_.twin(c) != kNoCorner) continue;
     const SymmetricMatrix boundary = boundary_quadric(edge(c));
     quadrics_[table_.vertex(c)] += boundary;

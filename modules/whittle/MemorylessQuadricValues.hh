@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "whittle/Surface.hh"
 #include "whittle/SymmetricMatrix.hh"
 
 namespace whittle {
@@ -29,7 +30,7 @@ namespace whittle {
 class MemorylessQuadricValues {
  public:
   using Vec = Eigen::Vector3f;
-  static constexpr std::size_t kMost = 12;  ///< values of a vertex
+  static constexpr std::size_t kMost = SurfaceExtras::kMostValues;
 
   /// Of one value: the sum over faces of slope times weight, and that of the weights.
   struct Slope {

@@ -20,6 +20,7 @@ struct MortonOrder {
   std::vector<std::uint32_t> vertex;                    ///< new index to old
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in new indices
   std::vector<std::uint32_t> face;                      ///< new index to old, where asked for
+  Eigen::Vector3d low, high;                            ///< the corners of its box; zero of an empty mesh
 
   template <typename Real>
   explicit MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces = false);
@@ -35,15 +36,18 @@ struct MortonOrder {
 };
 
 template <typename Real>
-MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces) {
+MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces)
+    : low(Eigen::Vector3d::Zero()), high(Eigen::Vector3d::Zero()) {
   const std::size_t n = mesh.points.size();
   if (n == 0) return;
-  Eigen::Matrix<Real, 3, 1> low = mesh.points[0], high = low;
+  Eigen::Matrix<Real, 3, 1> least = mesh.points[0], most = least;
   for (const auto& p : mesh.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    least = least.cwiseMin(p);
+    most = most.cwiseMax(p);
   }
-  const double extent = static_cast<double>((high - low).maxCoeff());
+  low = least.template cast<double>();
+  high = most.template cast<double>();
+  const double extent = (high - low).maxCoeff();
   const double cells = extent > 0 ? 1023 / extent : 0;
 
   // A radix sort, ten bits at a time, of codes with their vertices below.
@@ -51,7 +55,7 @@ MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces) {
   for (std::size_t v = 0; v < n; ++v) {
     std::uint32_t code = 0;
     for (int i = 0; i < 3; ++i)
-      code |= spread(static_cast<std::uint32_t>(static_cast<double>(mesh.points[v][i] - low[i]) * cells))
+      code |= spread(static_cast<std::uint32_t>((static_cast<double>(mesh.points[v][i]) - low[i]) * cells))
               << i;
     keys[v] = std::uint64_t{code} << 32 | v;
   }

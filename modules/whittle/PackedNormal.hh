@@ -5,26 +5,31 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "whittle/Four.hh"
+
 namespace whittle {
 
-/// Three times ten bits, good to a fifth of a degree; or no normal, that of a degenerate face.
+/// Three times ten bits with a sign, good to a fifth of a degree; or no normal, that of a degenerate face.
 class PackedNormal {
  public:
+  static constexpr float kLength = 511;  ///< of what it unpacks to
+
   PackedNormal() = default;
 
   /// \param normal  of unit length.
   explicit PackedNormal(const Eigen::Vector3f& normal) : bits_(1u << 31) {
-    for (int i = 0; i < 3; ++i) bits_ |= static_cast<std::uint32_t>(512.5f + 511 * normal[i]) << 10 * i;
+    for (int i = 0; i < 3; ++i)
+      bits_ |= (static_cast<std::uint32_t>(512.5f + kLength * normal[i]) ^ 512u) << 10 * i;
   }
 
   bool is_none() const { return bits_ == 0; }
+  std::uint32_t bits() const { return bits_; }
 
-  /// Of unit length but for the rounding; meaningless for none.
-  Eigen::Vector3f unpacked() const {
-    const auto part = [&](int i) {
-      return (static_cast<float>(static_cast<int>(bits_ >> 10 * i & 1023)) - 512) * (1.0f / 511);
-    };
-    return {part(0), part(1), part(2)};
+  /// `kLength` times the normals, but for the rounding, from four of `bits`; zero for none.
+  static FourVectors unpacked(const Eigen::Array4i& bits) {
+    return {bits.shiftLeft<22>().shiftRight<22>().cast<float>(),
+            bits.shiftLeft<12>().shiftRight<22>().cast<float>(),
+            bits.shiftLeft<2>().shiftRight<22>().cast<float>()};
   }
 
  private:

@@ -32,8 +32,16 @@ enum class Boundary {
   merge  ///< they may merge with one another along the boundary, never with inner vertices
 };
 
+/// As what length, in model units, a difference of 1 counts beside the shape; 0: not at all. Of normals 1 is
+/// 60 degrees, of colours from black to full.
+struct ValueWeights {
+  double normals = 0, colours = 0, texture = 0;
+  bool any() const { return normals > 0 || colours > 0 || texture > 0; }
+};
+
 /// What else is known of a mesh; every part may be empty.
 struct SurfaceExtras {
+  static constexpr std::size_t kMostValues = 12;
   std::vector<std::uint8_t> flags;  ///< for each vertex: kLocked, kFeature, kSeam
   /// For each vertex a factor of the planner's threshold: 0 keeps the vertex, 1 is neutral, 2 doubles the
   /// length or the angle. Finite, >= 0. Where a threshold concerns several vertices, the least factor counts.
@@ -44,7 +52,7 @@ struct SurfaceExtras {
   /// texture coordinates, each times the length, in model units, that a difference of 1 is to count as. Not a
   /// number: the vertex has no single value, as on a seam.
   std::vector<float> values = {};
-  std::size_t n_values = 0;  ///< for each vertex, at most 12
+  std::size_t n_values = 0;  ///< for each vertex, at most `kMostValues`
 };
 
 /// What every planner takes for granted of its input.
@@ -57,7 +65,9 @@ SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
   if (!fits(extras.flags.size(), n_vertices) || !fits(extras.tolerance.size(), n_vertices) ||
       !fits(extras.reference_normals.size(), n_faces) || extras.values.size() != extras.n_values * n_vertices)
     throw InvalidParameter("flags, tolerances, normals or values do not have the size of the mesh");
-  if (extras.n_values > 12) throw InvalidParameter("a vertex has more than 12 values");
+  if (extras.n_values > SurfaceExtras::kMostValues)
+    throw InvalidParameter("a vertex has more than " + std::to_string(SurfaceExtras::kMostValues) +
+                           " values");
   extras.flags.resize(n_vertices, 0);
   for (std::size_t v = 0; v < n_vertices; ++v)
     if (!mesh.points[v].allFinite())

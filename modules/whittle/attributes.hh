@@ -63,12 +63,6 @@ void blend_vertex_attributes(Mesh& mesh, typename Mesh::VertexHandle from, typen
     mesh.set_texcoord3D(to, blend(mesh.texcoord3D(to), mesh.texcoord3D(from), share));
 }
 
-/// As what length, in model units, a difference of 1 counts beside the shape; 0: not at all. Of normals 1 is
-/// 60 degrees, of colours from black to full.
-struct ValueWeights {
-  double normals = 0, colours = 0, texture = 0;
-};
-
 /// Adds a mesh's vertex normals, colours and texture coordinates to what a planner is told, times their
 /// weights; only those that the mesh has.
 template <typename Mesh>

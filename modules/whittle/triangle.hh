@@ -35,29 +35,60 @@ inline double triangle_quality(const Eigen::Vector3d& a, const Eigen::Vector3d& 
   return squares > 0 ? 2 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / squares : 0;
 }
 
-/// The square of the distance from a point to the nearest one of a triangle, by the corner, side or inside
-/// that it is nearest to (Ericson 2005, 5.1.5). Not finite where the triangle is degenerate to the last bit.
+/// A step from the start of a side of a triangle.
 template <typename Real>
-Real squared_distance(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Real, 3, 1>& a,
-                      const Eigen::Matrix<Real, 3, 1>& b, const Eigen::Matrix<Real, 3, 1>& c) {
+struct Step {
+  Eigen::Matrix<Real, 3, 1> side;
+  Real share;
+};
+
+/// Finds the point of a triangle that is nearest to `p`, by the corner, side or inside that this is in
+/// (Ericson 2005, 5.1.5). \return  `visit(corner, step...)`: the point is the corner and none, one or two
+/// steps from it. Where the triangle is degenerate to the last bit, a step may not be finite.
+template <typename Real, typename Visit>
+auto at_closest_point(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Real, 3, 1>& a,
+                      const Eigen::Matrix<Real, 3, 1>& b, const Eigen::Matrix<Real, 3, 1>& c, Visit visit) {
   using Vec = Eigen::Matrix<Real, 3, 1>;
   const Vec ab = b - a, ac = c - a, ap = p - a;
   const Real ab_a = ab.dot(ap), ac_a = ac.dot(ap);
-  if (ab_a <= 0 && ac_a <= 0) return ap.squaredNorm();
+  if (ab_a <= 0 && ac_a <= 0) return visit(a);
   const Vec bp = p - b;
   const Real ab_b = ab.dot(bp), ac_b = ac.dot(bp);
-  if (ab_b >= 0 && ac_b <= ab_b) return bp.squaredNorm();
+  if (ab_b >= 0 && ac_b <= ab_b) return visit(b);
   const Real of_c = ab_a * ac_b - ab_b * ac_a;  // barycentric, but for a common factor
-  if (of_c <= 0 && ab_a >= 0 && ab_b <= 0) return (ap - ab_a / (ab_a - ab_b) * ab).squaredNorm();
+  if (of_c <= 0 && ab_a >= 0 && ab_b <= 0) return visit(a, Step<Real>{ab, ab_a / (ab_a - ab_b)});
   const Vec cp = p - c;
   const Real ab_c = ab.dot(cp), ac_c = ac.dot(cp);
-  if (ac_c >= 0 && ab_c <= ac_c) return cp.squaredNorm();
+  if (ac_c >= 0 && ab_c <= ac_c) return visit(c);
   const Real of_b = ab_c * ac_a - ab_a * ac_c;
-  if (of_b <= 0 && ac_a >= 0 && ac_c <= 0) return (ap - ac_a / (ac_a - ac_c) * ac).squaredNorm();
+  if (of_b <= 0 && ac_a >= 0 && ac_c <= 0) return visit(a, Step<Real>{ac, ac_a / (ac_a - ac_c)});
   const Real of_a = ab_b * ac_c - ab_c * ac_b, to_c = ac_b - ab_b, to_b = ab_c - ac_c;
-  if (of_a <= 0 && to_c >= 0 && to_b >= 0) return (bp - to_c / (to_c + to_b) * (c - b)).squaredNorm();
+  if (of_a <= 0 && to_c >= 0 && to_b >= 0) return visit(b, Step<Real>{c - b, to_c / (to_c + to_b)});
   const Real all = of_a + of_b + of_c;
-  return (ap - of_b / all * ab - of_c / all * ac).squaredNorm();
+  return visit(a, Step<Real>{ab, of_b / all}, Step<Real>{ac, of_c / all});
+}
+
+template <typename Real>
+Eigen::Matrix<Real, 3, 1> closest_point(const Eigen::Matrix<Real, 3, 1>& p,
+                                        const Eigen::Matrix<Real, 3, 1>& a,
+                                        const Eigen::Matrix<Real, 3, 1>& b,
+                                        const Eigen::Matrix<Real, 3, 1>& c) {
+  return at_closest_point(p, a, b, c, [](const auto& corner, const auto&... step) {
+    Eigen::Matrix<Real, 3, 1> point = corner;
+    ((point += step.share * step.side), ...);
+    return point;
+  });
+}
+
+/// The square of the distance, more exact than by way of the closest point, whose coordinates are rounded.
+template <typename Real>
+Real squared_distance(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Real, 3, 1>& a,
+                      const Eigen::Matrix<Real, 3, 1>& b, const Eigen::Matrix<Real, 3, 1>& c) {
+  return at_closest_point(p, a, b, c, [&](const auto& corner, const auto&... step) {
+    Eigen::Matrix<Real, 3, 1> offset = p - corner;
+    ((offset -= step.share * step.side), ...);
+    return offset.squaredNorm();
+  });
 }
 
 }  // namespace whittle
