@@ -75,6 +75,7 @@ class MemorylessQuadricMesh {
     return a + b <= kFixed;
   }
   using Placements = std::array<Placement, 4>;
+  /// Four at once take hardly longer than one; some may be the same.
   Placements place(const std::array<Corner, 4>& corners) const;
   Placement place(Corner c) const { return place({c, c, c, c})[0]; }
   /// Whether an end's surroundings may have changed since the hand had that stamp.
