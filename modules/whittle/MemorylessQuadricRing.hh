@@ -71,15 +71,14 @@ inline bool MemorylessQuadricRing::turn(const std::vector<Vertex>& vertices, con
   const FourVectors there(Four(target.x()), Four(target.y()), Four(target.z()));
   for (std::size_t i = 0; i < n_; i += 4) {
     std::array<const float*, 4> moving, from, to;
-    std::array<int, 4> bits;
+    Eigen::Array<std::uint32_t, 4, 1> normals;
     for (std::size_t k = 0; k < 4; ++k) {
       const Side& side = sides_[std::min(i + k, n_ - 1)];
       moving[k] = vertices[side.moving].position.data();
       from[k] = vertices[side.from].position.data();
       to[k] = vertices[side.to].position.data();
-      bits[k] = static_cast<int>(side.normal.bits());
+      normals[static_cast<Eigen::Index>(k)] = side.normal.bits();
     }
-    const Eigen::Array4i normals(bits[0], bits[1], bits[2], bits[3]);
     const FourVectors p = gathered(moving), q = gathered(from), r = gathered(to),
                       input = PackedNormal::unpacked(normals);
     Turn& turn = turns_[i / 4];

@@ -26,10 +26,11 @@ class PackedNormal {
   std::uint32_t bits() const { return bits_; }
 
   /// `kLength` times the normals, but for the rounding, from four of `bits`; zero for none.
-  static FourVectors unpacked(const Eigen::Array4i& bits) {
-    return {bits.shiftLeft<22>().shiftRight<22>().cast<float>(),
-            bits.shiftLeft<12>().shiftRight<22>().cast<float>(),
-            bits.shiftLeft<2>().shiftRight<22>().cast<float>()};
+  static FourVectors unpacked(const Eigen::Array<std::uint32_t, 4, 1>& bits) {
+    const Eigen::Array4i x = bits.shiftLeft<22>().cast<int>(), y = bits.shiftLeft<12>().cast<int>(),
+                         z = bits.shiftLeft<2>().cast<int>();
+    return {x.shiftRight<22>().cast<float>(), y.shiftRight<22>().cast<float>(),
+            z.shiftRight<22>().cast<float>()};
   }
 
  private:

@@ -119,12 +119,12 @@ TEST_CASE("a packed normal is good to a fifth of a degree") {
   Random random;
   for (int round = 0; round < 100; ++round) {
     std::array<Vector3f, 4> normals;
-    std::array<int, 4> bits;
+    Eigen::Array<std::uint32_t, 4, 1> bits;
     for (std::size_t i = 0; i < 4; ++i) {
       normals[i] = round == 0 ? Vector3f(-Vector3f::Unit(i % 3)) : Vector3f(random.vector().normalized());
-      bits[i] = static_cast<int>(PackedNormal(normals[i]).bits());
+      bits[static_cast<Eigen::Index>(i)] = PackedNormal(normals[i]).bits();
     }
-    const FourVectors unpacked = PackedNormal::unpacked({bits[0], bits[1], bits[2], bits[3]});
+    const FourVectors unpacked = PackedNormal::unpacked(bits);
     for (std::size_t i = 0; i < 4; ++i) {
       const Vector3f v = lane(unpacked, static_cast<Eigen::Index>(i)) / PackedNormal::kLength;
       CHECK((v - normals[i]).norm() < 0.0035f);
@@ -132,7 +132,7 @@ TEST_CASE("a packed normal is good to a fifth of a degree") {
     }
   }
   CHECK(PackedNormal().is_none());
-  CHECK(lane(PackedNormal::unpacked(Eigen::Array4i::Zero()), 2).isZero());
+  CHECK(lane(PackedNormal::unpacked(Eigen::Array<std::uint32_t, 4, 1>::Zero()), 2).isZero());
 }
 
 TEST_CASE("things are handed over in fours, the last ones filled up") {
