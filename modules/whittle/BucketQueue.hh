@@ -43,16 +43,22 @@ class BucketQueue {
     for (const Entry& entry : entries) push(entry.item, entry.bucket);
   }
 
-  /// The next item of the cheapest bucket. \return false  there is none below bucket `end`.
-  bool pop(std::uint32_t& item, std::size_t end = kBuckets) {
+  /// Goes to the cheapest bucket that has something. \return  false  there is none below bucket `end`.
+  bool advance(std::size_t end = kBuckets) {
     while (at_ < end && read_ == buckets_[at_].size()) {
       if (at_ + 1 == kBuckets) return false;
       std::vector<std::uint32_t>().swap(buckets_[at_]);
       read_ = 0;
       ++at_;
     }
-    if (at_ >= end) return false;
-    item = buckets_[at_][read_++];
+    return at_ < end;
+  }
+
+  /// The next item of this bucket. \return  false  it is empty.
+  bool pop(std::uint32_t& item) {
+    const auto& items = buckets_[at_];
+    if (read_ == items.size()) return false;
+    item = items[read_++];
     return true;
   }
 

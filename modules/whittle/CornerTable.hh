@@ -2,14 +2,15 @@
 /// A triangle mesh that collapses edges fast: for planners that look far ahead.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "whittle/Crew.hh"
 #include "whittle/Fans.hh"
 #include "whittle/PackedNormal.hh"
-#include "whittle/parallel.hh"
 
 namespace whittle {
 
@@ -47,7 +48,7 @@ class CornerTable {
 
   /// \param triangles  all indices below `n_vertices`. A vertex has a ring if its faces form a disc or one
   ///                    fan; a half-edge between two that have none has no twin.
-  CornerTable(const std::vector<Fans::Triangle>& triangles, std::size_t n_vertices, std::size_t n_threads);
+  CornerTable(const std::vector<Fans::Triangle>& triangles, std::size_t n_vertices, Crew& crew);
 
   Face& face(Corner c) { return faces_[c >> 2]; }
   const Face& face(Corner c) const { return faces_[c >> 2]; }
@@ -87,15 +88,17 @@ class CornerTable {
 };
 
 inline CornerTable::CornerTable(const std::vector<Fans::Triangle>& triangles, std::size_t n_vertices,
-                                std::size_t n_threads)
+                                Crew& crew)
     : first_(n_vertices, kNoCorner) {
   faces_.reserve(triangles.size());
   for (const Fans::Triangle& t : triangles)
     faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, 0, 0, {}});
   const Fans fans(triangles, n_vertices);
   // Each half-edge gets its twin at the vertex where it starts.
-  for_each_part(n_vertices, n_threads, [&](std::size_t begin, std::size_t end) {
-    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
+  constexpr std::size_t kAtOnce = 1024;
+  crew.each((n_vertices + kAtOnce - 1) / kAtOnce, [&](std::size_t some) {
+    const std::size_t end = std::min(n_vertices, (some + 1) * kAtOnce);
+    for (auto v = static_cast<std::uint32_t>(some * kAtOnce); v < end; ++v) {
       Corner last = kNoCorner;
       const auto shape = fans.walk(triangles, v, [&](std::size_t i, Corner c, std::uint32_t, std::uint32_t) {
         if (i == 0)
@@ -105,6 +108,9 @@ inline CornerTable::CornerTable(const std::vector<Fans::Triangle>& triangles, st
         last = c;
       });
       if (shape == RingShape::closed) set_twin(first_[v], previous(last));
+      if (shape != RingShape::complex) continue;
+      first_[v] = kNoCorner;
+      for (std::size_t i = 0; i < fans.valence(v); ++i) set_twin(fans.places(v)[i], kNoCorner);
     }
   });
   bool complete = true;

@@ -31,7 +31,8 @@ class Fans {
 
   /// Goes around a vertex counter-clockwise, from where an open fan begins: calls `visit(i, corner, next,
   /// previous)` for the i-th face, where `corner` is four times its index plus the corner that is at `v`, and
-  /// the others are the vertices after and before it. Where the shape is complex, not once.
+  /// the others are the vertices after and before it. Where the shape is complex, what was visited means
+  /// nothing.
   template <typename Visit>
   RingShape walk(const std::vector<Triangle>& triangles, std::uint32_t v, Visit visit) const {
     const std::size_t n = valence(v);
@@ -56,7 +57,7 @@ class Fans {
   /// comes next.
   template <std::size_t N>
   struct Fan {
-    std::array<std::uint32_t, N> corner, next, previous, follower, order;
+    std::array<std::uint32_t, N> corner, next, previous, follower;
     std::size_t n_followed = 0, sum = 0;  // how many follow another, and the sum of their places
     explicit Fan(std::size_t /*n*/) {}
     bool link(std::size_t n);
@@ -66,12 +67,15 @@ class Fans {
   RingShape walk_some(const std::vector<Triangle>& triangles, std::uint32_t v, Visit visit) const;
 
   std::vector<std::uint32_t> first_, corners_;
+  bool degenerate_ = false;  // whether any triangle names a vertex twice
 };
 
 inline Fans::Fans(const std::vector<Triangle>& triangles, std::size_t n_vertices)
     : first_(n_vertices + 1, 0) {
-  for (const Triangle& t : triangles)
+  for (const Triangle& t : triangles) {
     for (const std::uint32_t v : t) ++first_[v + 1];
+    degenerate_ |= t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+  }
   for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1] + 1;
   corners_.resize(first_.back());
   // Filling moves each start to the end of its faces, one short of the next start.
@@ -108,9 +112,9 @@ bool Fans::Fan<N>::link(std::size_t n) {
 /// The same with any number of faces.
 template <>
 struct Fans::Fan<Fans::kMany> {
-  std::vector<std::uint32_t> corner, next, previous, follower, order;
+  std::vector<std::uint32_t> corner, next, previous, follower;
   std::size_t n_followed = 0, sum = 0;
-  explicit Fan(std::size_t n) : corner(n), next(n), previous(n), follower(n), order(n) {}
+  explicit Fan(std::size_t n) : corner(n), next(n), previous(n), follower(n) {}
 
   bool link(std::size_t n) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> begins(n);
@@ -134,15 +138,17 @@ RingShape Fans::walk_some(const std::vector<Triangle>& triangles, std::uint32_t 
   const std::uint32_t* const corners = places(v);
   Fan<N> fan(n);
   constexpr std::array<std::uint8_t, 4> kNext{1, 2, 0, 1};
-  bool is_degenerate = false;
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t corner = corners[i] % 4, f = corners[i] / 4;
     fan.corner[i] = corners[i];
     fan.next[i] = triangles[f][kNext[corner]];
     fan.previous[i] = triangles[f][kNext[corner + 1]];
-    is_degenerate |= fan.next[i] == v || fan.previous[i] == v || fan.next[i] == fan.previous[i];
   }
-  if (is_degenerate || !fan.link(n)) return RingShape::complex;
+  if (degenerate_)
+    for (std::size_t i = 0; i < n; ++i)
+      if (fan.next[i] == v || fan.previous[i] == v || fan.next[i] == fan.previous[i])
+        return RingShape::complex;
+  if (!fan.link(n)) return RingShape::complex;
 
   // An open fan begins at the one face that follows no other: the one missing in the sum of all followers.
   const bool is_closed = fan.n_followed == n;
@@ -153,14 +159,10 @@ RingShape Fans::walk_some(const std::vector<Triangle>& triangles, std::uint32_t 
   std::uint32_t at = static_cast<std::uint32_t>(start);
   std::size_t i = 0;
   do {
-    fan.order[i++] = at;
+    visit(i++, fan.corner[at], fan.next[at], fan.previous[at]);
     at = fan.follower[at];
   } while (at != kNone && at != start && i < n);
   if (i < n || at != (is_closed ? start : kNone)) return RingShape::complex;
-  for (i = 0; i < n; ++i) {
-    at = fan.order[i];
-    visit(i, fan.corner[at], fan.next[at], fan.previous[at]);
-  }
   return is_closed ? RingShape::closed : RingShape::open;
 }
 

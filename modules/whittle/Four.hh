@@ -8,6 +8,9 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
 
 #include "whittle/SymmetricMatrix.hh"
 
@@ -54,8 +57,13 @@ constexpr float kLeastLength = 1e-18f;
 /// 1 / |v| for vectors with these squares, and no more than that of `kLeastLength`.
 EIGEN_ALWAYS_INLINE Four reciprocal_lengths(const Four& squares) {
   // Not by `squares.sqrt()`, which is an approximation that differs between processors.
+#if defined(__SSE__)
+  Four lengths;
+  _mm_storeu_ps(lengths.data(), _mm_sqrt_ps(_mm_loadu_ps(squares.data())));
+#else
   const Four lengths(std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2]),
                      std::sqrt(squares[3]));
+#endif
   return 1 / lengths.max(kLeastLength);
 }
 

@@ -44,11 +44,9 @@ inline auto MemorylessQuadricMesh::place(const std::array<Corner, 4>& corners) c
 /// slight pull to the middle that decides where the planes leave a direction open.
 inline auto MemorylessQuadricMesh::best_places(const FourEdges& edges) const -> Placements {
   std::array<const float*, 4> starts, ends;
-  bool irregular = !weights_.empty();
   for (std::size_t i = 0; i < 4; ++i) {
     starts[i] = vertices_[edges.start[i]].position.data();
     ends[i] = vertices_[edges.end[i]].position.data();
-    irregular |= holds_[edges.start[i]] + holds_[edges.end[i]] != kFree;
   }
   const FourVectors e = gathered(ends) - gathered(starts);
   const FourMatrices at_b = gathered(edges.at_end), sum = gathered(edges.at_start) + at_b;
@@ -64,8 +62,9 @@ inline auto MemorylessQuadricMesh::best_places(const FourEdges& edges) const -> 
   Placements placements;
   Eigen::Matrix4f::Map(&placements[0].offset.x()) = transposed(u.x(), u.y(), u.z(), cost.max(0.0f));
 
-  for (Eigen::Index i = 0; i < 4; ++i) irregular |= !(least[i] > 0 && far[i] >= 0);
-  if (irregular)
+  // Zero times anything that is not finite is not zero.
+  const bool irregular = !(least.min(far).minCoeff() > 0 && (0 * (least + far)).sum() == 0);
+  if (irregular || !all_free_ || !weights_.empty())
     for (std::size_t i = 0; i < 4; ++i) {
       const std::uint32_t start = edges.start[i], end = edges.end[i];
       const auto k = static_cast<Eigen::Index>(i);
@@ -86,53 +85,75 @@ inline auto MemorylessQuadricMesh::safe_place(const Vec& e, Hold a, Hold b, cons
   return {middle, std::max(0.0f, middle.dot((at_a + at_b) * middle))};
 }
 
-/// Goes around `v`: shows its neighbours to `visit`, and collects the faces that stay when half-edge `c`
-/// collapses. \return  false  the ring leaves the hand's part.
+/// Goes around the vertex where half-edge `c` starts and its twin `d` ends, one of which may be missing:
+/// shows the other neighbours to `visit`, and collects the faces that stay when they collapse.
+/// \return  false  the ring leaves the hand's part.
 template <typename Visit>
-bool MemorylessQuadricMesh::survey(std::uint32_t v, Corner c, Hand& hand, Visit visit) {
-  const Corner first = table_.first(v), d = table_.twin(c);
-  const std::uint32_t side_c = c >> 2, side_d = d == kNoCorner ? side_c : d >> 2;
-  std::uint32_t w = table_.vertex(next(first));
-  if (!hand.has(w)) return false;
-  Corner at = first;
-  do {
+bool MemorylessQuadricMesh::survey(Corner c, Corner d, Hand& hand, Visit visit) {
+  const CornerTable::Face* const faces = table_.faces();
+  if (c != kNoCorner) {
+    const Corner end = d == kNoCorner ? kNoCorner : next(d);
+    std::uint32_t w = table_.vertex(previous(c));
     visit(vertices_[w]);
-    const CornerTable::Face& face = table_.face(at);
-    const Corner back = previous(at);
-    const std::uint32_t after = face.vertex[back & 3];  // the neighbour that comes next
-    if (!hand.has(after)) return false;
-    if (at >> 2 != side_c && at >> 2 != side_d) hand.ring.add() = {v, w, after, at, face.normal};
-    w = after;
-    at = face.twin[back & 3];
-  } while (at != kNoCorner && at != first);
-  if (at == kNoCorner) visit(vertices_[w]);
+    Corner at = table_.around(c);
+    while (at != end && at != kNoCorner) {
+      const CornerTable::Face& face = faces[at >> 2];
+      const Corner back = previous(at) & 3;
+      const std::uint32_t after = face.vertex[back];  // the neighbour that comes next
+      if (!hand.has(after)) return false;
+      hand.ring.add({w, after, at, face.normal});
+      visit(vertices_[after]);
+      w = after;
+      at = face.twin[back];
+    }
+    if (at == end) return true;
+  }
+  // An open fan: the rest of it is on the other side.
+  std::uint32_t w = table_.vertex(previous(d));
+  visit(vertices_[w]);
+  for (Corner back = table_.twin(next(d)); back != kNoCorner;) {
+    const Corner at = next(back);
+    const std::uint32_t before = table_.vertex(next(at));
+    if (!hand.has(before)) return false;
+    hand.ring.add({before, w, at, faces[at >> 2].normal});
+    visit(vertices_[before]);
+    w = before;
+    back = table_.twin(at);
+  }
   return true;
 }
 
 inline auto MemorylessQuadricMesh::judge(Corner c, const Placement& placement, Hand& hand) -> Verdict {
+  const Corner d = table_.twin(c);
   const std::uint32_t a = table_.vertex(c), b = table_.vertex(next(c));
-  const bool a_open = table_.is_open(a), b_open = table_.is_open(b), interior = table_.twin(c) != kNoCorner;
-  if (interior && a_open && b_open) return Verdict::illegal;  // the boundary would touch itself
+  const bool a_open = table_.is_open(a), b_open = table_.is_open(b), interior = d != kNoCorner;
+  if (interior) {
+    if (a_open && b_open) return Verdict::illegal;  // the boundary would touch itself
+    const std::uint32_t tip = table_.vertex(previous(d));
+    if (!hand.has(tip)) return Verdict::elsewhere;
+    if (tip == table_.vertex(previous(c))) return Verdict::illegal;
+  }
   if ((a_open && !b_open && holds_[b] != kFree) || (b_open && !a_open && holds_[a] != kFree))
     return Verdict::illegal;  // the boundary would leave its place
 
   const std::uint32_t mark = hand.stamp += hand.stride;
+  vertices_[a].mark = vertices_[b].mark = mark;
   hand.ring.clear();
   std::size_t common = 0;
-  if (!survey(a, c, hand, [&](Vertex& v) { v.mark = mark; })) return Verdict::elsewhere;
-  const std::size_t of_a = hand.ring.size();
+  if (!survey(c, d, hand, [&](Vertex& v) { v.mark = mark; })) return Verdict::elsewhere;
+  hand.ring.turn_over();
   const auto count = [&](Vertex& v) {
     common += v.mark == mark;
     v.mark = mark;
   };
-  if (!survey(b, c, hand, count)) return Verdict::elsewhere;
+  if (!survey(d, c, hand, count)) return Verdict::elsewhere;
   if (common != (interior ? 2u : 1u)) return Verdict::illegal;
-  const std::size_t of_b = hand.ring.size() - of_a;
+  const std::size_t of_a = hand.ring.n_at_start(), of_b = hand.ring.size() - of_a;
   const bool ear = (keeps_end(c) ? of_a : of_b) == 0;                                  // its tip would vanish
   const bool back_to_back = interior && !a_open && !b_open && of_a <= 1 && of_b <= 1;  // two faces would be
   if (ear || back_to_back) return Verdict::illegal;
   const Vec target = position(c) + placement.offset;
-  if (!hand.ring.turn(vertices_, target, min_cos_ * std::abs(min_cos_))) return Verdict::illegal;
+  if (!hand.ring.turn(vertices_, a, b, target, min_cos_ * std::abs(min_cos_))) return Verdict::illegal;
   return bound_.empty() || keeps_bound(c, target, hand) ? Verdict::legal : Verdict::illegal;
 }
 
@@ -216,7 +237,7 @@ inline void MemorylessQuadricMesh::update_values(Corner c, const Vec& target, fl
   }
   Term sum;
   for (const auto& side : hand.ring) {
-    const Term before = term_of(side.corner, vertices_[side.moving].position, values_.at(side.moving));
+    const Term before = term_of(side.corner, position(side.corner), values_.at(table_.vertex(side.corner)));
     const Term after = term_of(side.corner, target, merged.data());
     for (const std::uint32_t w : {side.from, side.to}) {
       add(w, before, -1);

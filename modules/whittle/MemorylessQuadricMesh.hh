@@ -71,13 +71,13 @@ class MemorylessQuadricMesh {
 
   /// Both ends in a disc or a fan, and not both of them fixed.
   bool is_movable(Corner c) const {
+    if (all_free_) return true;
     const Hold a = holds_[table_.vertex(c)], b = holds_[table_.vertex(next(c))];
     return a + b <= kFixed;
   }
   using Placements = std::array<Placement, 4>;
   /// Four at once take hardly longer than one; some may be the same.
   Placements place(const std::array<Corner, 4>& corners) const;
-  Placement place(Corner c) const { return place({c, c, c, c})[0]; }
   /// Whether an end's surroundings may have changed since the hand had that stamp.
   bool is_touched(Corner c, const Hand& hand, std::uint32_t since) const {
     const auto is_later = [&](std::uint32_t v) { return vertices_[v].mark - since - 1 < hand.stamp - since; };
@@ -155,7 +155,7 @@ class MemorylessQuadricMesh {
     return holds_[end] == kFixed || (table_.is_open(end) && !table_.is_open(start));
   }
   template <typename Visit>
-  bool survey(std::uint32_t v, Corner c, Hand& hand, Visit visit);
+  bool survey(Corner c, Corner d, Hand& hand, Visit visit);
   template <typename Visit>
   void for_each_line(std::uint32_t v, Visit visit) const;
   void update_ring(Corner c, const Hand& hand, SymmetricMatrix& own);
@@ -169,6 +169,7 @@ class MemorylessQuadricMesh {
   std::vector<Vertex> vertices_;
   std::vector<SymmetricMatrix> quadrics_;
   std::vector<Hold> holds_;
+  bool all_free_ = true;  // all of them
   Part n_parts_ = 0;
   std::uint64_t parts_per_vertex_ = 1;       // times 2^32
   std::vector<std::uint32_t> first_vertex_;  // of each part, and where the last ends

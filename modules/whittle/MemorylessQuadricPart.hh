@@ -60,11 +60,15 @@ class MemorylessQuadricPart {
     queue_.push(c, bucket);
   }
   static std::uint16_t bit_of(Corner c) { return static_cast<std::uint16_t>(1u << (c & 3)); }
+  static bool is_queued(const CornerTable& table, Corner c) {
+    return !table.is_dead(c) && (table.face(c).queued & bit_of(c)) != 0;
+  }
   bool has(Corner c) const {
     return hand_.part == MemorylessQuadricMesh::kEverywhere || mesh_.table().face(c).part == hand_.part;
   }
   std::size_t take_four(std::size_t end);
-  void work(Corner c, const MemorylessQuadricMesh::Placement& placement, MemorylessQuadricGoal& goal);
+  void work(Corner c, const MemorylessQuadricMesh::Placement& placement, std::size_t dearest,
+            MemorylessQuadricGoal& goal);
   void prefetch() const;
 
   MemorylessQuadricMesh& mesh_;
@@ -72,7 +76,6 @@ class MemorylessQuadricPart {
   BucketQueue queue_;
   std::array<Corner, 4> four_ = {};  // whose turn it is
   MemorylessQuadricMesh::Placements placements_ = {};
-  std::uint32_t since_ = 0;  // the hand's stamp then
 };
 
 inline void MemorylessQuadricPart::queue_all(std::size_t first_face, std::size_t last_face) {
@@ -110,47 +113,53 @@ inline std::size_t MemorylessQuadricPart::take_four(std::size_t end) {
   const CornerTable& table = mesh_.table();
   std::size_t n = 0;
   Corner c = 0;
-  while (n < 4 && (n == 0 || queue_.size(queue_.bucket()) > 0) && queue_.pop(c, end)) {
-    prefetch();
-    if (!has(c))
-      strays.push_back({c, static_cast<std::uint32_t>(queue_.bucket())});
-    else if (!table.is_dead(c) && (table.face(c).queued & bit_of(c)) != 0)
-      four_[n++] = c;
+  while (n == 0) {
+    if (!queue_.advance(end)) return 0;
+    while (n < 4 && queue_.pop(c)) {
+      prefetch();
+      if (!has(c))
+        strays.push_back({c, static_cast<std::uint32_t>(queue_.bucket())});
+      else if (is_queued(table, c))
+        four_[n++] = c;
+    }
   }
   std::fill(four_.begin() + n, four_.end(), four_[0]);
-  if (n > 0) placements_ = mesh_.place(four_);
-  since_ = hand_.stamp;
+  placements_ = mesh_.place(four_);
   return n;
 }
 
 inline void MemorylessQuadricPart::work(std::size_t end, MemorylessQuadricGoal goal) {
   const CornerTable& table = mesh_.table();
+  // An edge's surroundings may have changed since it was queued. Far from the target a little dearer is good
+  // enough.
+  constexpr float kOctaves = 2;
+  const float slack = kOctaves * BucketQueue::kBucketsPerOctave / static_cast<float>(goal.all);
   while (goal.remaining() > 0) {
     const std::size_t n = take_four(end);
     if (n == 0) return;
+    const auto tolerance = static_cast<std::size_t>(slack * static_cast<float>(goal.remaining()));
+    const std::size_t before = done.size();
+    const std::uint32_t since = hand_.stamp;
     for (std::size_t i = 0; i < n; ++i) {
       const Corner c = four_[i];
-      if (table.is_dead(c) || (table.face(c).queued & bit_of(c)) == 0) continue;
-      if (goal.remaining() == 0 || mesh_.is_touched(c, hand_, since_))
+      const bool is_fresh = done.size() == before;  // nothing has happened since they were placed
+      if (!is_fresh && !is_queued(table, c)) continue;
+      if (!is_fresh && (goal.remaining() == 0 || mesh_.is_touched(c, hand_, since)))
         queue_.push(c, queue_.bucket());
       else
-        work(c, placements_[i], goal);
+        work(c, placements_[i], queue_.bucket() + tolerance, goal);
     }
   }
 }
 
+/// Collapses an edge, or puts it back.
 inline void MemorylessQuadricPart::work(Corner c, const MemorylessQuadricMesh::Placement& placement,
-                                        MemorylessQuadricGoal& goal) {
+                                        std::size_t dearest, MemorylessQuadricGoal& goal) {
   std::uint16_t& queued = mesh_.table().face(c).queued;
   queued &= static_cast<std::uint16_t>(~bit_of(c));
   if (!mesh_.is_movable(c)) return;
   const std::size_t bucket = BucketQueue::bucket_of(placement.cost);
-  // Its surroundings may have changed since it was queued. Far from the target a little dearer is good
-  // enough.
-  constexpr float kOctaves = 2;
-  const float tolerance = kOctaves * BucketQueue::kBucketsPerOctave * static_cast<float>(goal.remaining()) /
-                          static_cast<float>(goal.all);
-  if (bucket > queue_.bucket() + static_cast<std::size_t>(tolerance)) return enqueue(c, bucket);
+  if (bucket > dearest) return enqueue(c, bucket);
   const auto verdict = mesh_.judge(c, placement, hand_);
   if (verdict == MemorylessQuadricMesh::Verdict::elsewhere) {
     queued |= bit_of(c);
@@ -160,7 +169,7 @@ inline void MemorylessQuadricPart::work(Corner c, const MemorylessQuadricMesh::P
     done.push_back({mesh_.collapse(c, placement, hand_, unqueued), queue_.bucket()});
     goal.count(done.back().collapse);
     for (const Corner at : unqueued)
-      if (at != kNoCorner) enqueue(at, BucketQueue::bucket_of(mesh_.place(at).cost));
+      if (at != kNoCorner) enqueue(at, queue_.bucket());  // to be placed when its turn comes
   } else if (queue_.bucket() + 1 < BucketQueue::kBuckets) {
     enqueue(c, queue_.bucket() + 4 * BucketQueue::kBucketsPerOctave);  // its surroundings may change yet
   }

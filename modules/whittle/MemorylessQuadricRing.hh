@@ -25,27 +25,30 @@ class MemorylessQuadricRing {
     Vec position;
     std::uint32_t mark;  ///< for the mesh; four floats are read where three are meant
   };
-  /// A face that stays, with its vertices counter-clockwise.
+  /// A face that stays, with its vertices counter-clockwise: the one that moves, and these.
   struct Side {
-    std::uint32_t moving, from, to;
+    std::uint32_t from, to;
     Corner corner;        ///< the one that moves
     PackedNormal normal;  ///< of the face in the input
   };
 
   void clear() { n_ = 0; }
-  /// A place for one more, with anything in it.
-  Side& add() {
-    if (n_ == sides_.size()) sides_.resize(2 * n_ + 8);
-    return sides_[n_++];
+  void add(const Side& side) {
+    if (n_ + 3 >= room_) sides_.resize(room_ = 2 * n_ + 8);
+    sides_[n_++] = side;
   }
+  /// From here on faces at the other end are added.
+  void turn_over() { n_at_start_ = n_; }
+  std::size_t n_at_start() const { return n_at_start_; }
   std::size_t size() const { return n_; }
   const Side* begin() const { return sides_.data(); }
   const Side* end() const { return sides_.data() + n_; }
 
-  /// Moves the corners to `target`.
+  /// Moves the corners, at the one end and at the other, to `target`.
   /// \param limit  the least cosine between a face's normals before and after, squared with its sign.
   /// \return  whether no face turns too far, against its normal before or that in the input.
-  bool turn(const std::vector<Vertex>& vertices, const Vec& target, float limit);
+  bool turn(const std::vector<Vertex>& vertices, std::uint32_t start, std::uint32_t end, const Vec& target,
+            float limit);
 
   /// Calls `add(vertex, quadric)` for what the faces' turning changes at the two vertices that do not move.
   /// \return  the sum of the turned faces' quadrics: what is now around the one that does
@@ -62,19 +65,22 @@ class MemorylessQuadricRing {
   static constexpr float kUpright = 1e-4f * PackedNormal::kLength * PackedNormal::kLength;
 
   std::vector<Side> sides_;
-  std::size_t n_ = 0;
+  std::size_t room_ = 0, n_ = 0, n_at_start_ = 0;  // room for sides and three more
   std::vector<Turn> turns_;
 };
 
-inline bool MemorylessQuadricRing::turn(const std::vector<Vertex>& vertices, const Vec& target, float limit) {
+inline bool MemorylessQuadricRing::turn(const std::vector<Vertex>& vertices, std::uint32_t start,
+                                        std::uint32_t end, const Vec& target, float limit) {
+  if (n_ == 0) return true;
   if (turns_.size() < (n_ + 3) / 4) turns_.resize((n_ + 3) / 4);
+  std::fill_n(sides_.begin() + static_cast<std::ptrdiff_t>(n_), 3, sides_[n_ - 1]);  // may be turned too
   const FourVectors there(Four(target.x()), Four(target.y()), Four(target.z()));
   for (std::size_t i = 0; i < n_; i += 4) {
     std::array<const float*, 4> moving, from, to;
     Eigen::Array<std::uint32_t, 4, 1> normals;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Side& side = sides_[std::min(i + k, n_ - 1)];
-      moving[k] = vertices[side.moving].position.data();
+      const Side& side = sides_[i + k];
+      moving[k] = vertices[i + k < n_at_start_ ? start : end].position.data();
       from[k] = vertices[side.from].position.data();
       to[k] = vertices[side.to].position.data();
       normals[static_cast<Eigen::Index>(k)] = side.normal.bits();

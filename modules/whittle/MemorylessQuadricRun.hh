@@ -49,6 +49,7 @@ class MemorylessQuadricRun {
   void gather_strays();
   void append(std::size_t begin, std::size_t end);
   std::size_t next_bucket() const;
+  std::size_t n_queued(std::size_t bucket) const;
   std::size_t step_end(std::size_t begin) const;
 
   Crew crew_;
@@ -57,6 +58,7 @@ class MemorylessQuadricRun {
   MemorylessQuadricPart seams_;
   std::size_t n_faces_, n_vertices_;
   MemorylessQuadricGoal goal_;
+  double faces_per_edge_ = 2;  // that vanished in the last step, of those that were queued for it
   CollapsePlan plan_;
 };
 
@@ -98,15 +100,22 @@ inline std::size_t MemorylessQuadricRun::next_bucket() const {
   return least;
 }
 
-/// The wider a step, the more a part does before the cache has to hold another one; but it must not go far
-/// beyond the target.
+inline std::size_t MemorylessQuadricRun::n_queued(std::size_t bucket) const {
+  std::size_t n = seams_.queue().size(bucket);
+  for (const MemorylessQuadricPart& part : parts_) n += part.queue().size(bucket);
+  return n;
+}
+
+/// The wider a step, the more a part does before the cache has to hold another one; but at its end much of
+/// the way must be left, or the parts would reach the target alone and leave the seams between them behind.
 inline std::size_t MemorylessQuadricRun::step_end(std::size_t begin) const {
   constexpr std::size_t kWidest = 16;
-  std::size_t items = 0, end = begin;
+  constexpr double kMost = 0.75;
+  double faces = 0;
+  std::size_t end = begin;
   while (end < begin + kWidest && end < BucketQueue::kBuckets) {
-    for (const MemorylessQuadricPart& part : parts_) items += part.queue().size(end);
-    items += seams_.queue().size(end);
-    if (end > begin && items > goal_.remaining()) break;
+    faces += faces_per_edge_ * static_cast<double>(n_queued(end));
+    if (end > begin && faces > kMost * static_cast<double>(goal_.remaining())) break;
     ++end;
   }
   return end;
@@ -117,12 +126,20 @@ inline void MemorylessQuadricRun::run(std::size_t target_faces, std::size_t targ
   goal_.faces = over(n_faces_, target_faces);
   goal_.vertices = over(n_vertices_, target_vertices);
   goal_.all = goal_.remaining();
-  plan_.collapses.reserve(goal_.remaining() / 2 + 1);
+  constexpr std::size_t kFew = 2000;  // edges that are done before another thread has woken up
+  plan_.collapses.reserve(goal_.remaining() / 2 + goal_.remaining() / 64 + 1);  // some take one face only
   while (goal_.remaining() > 0) {
     const std::size_t begin = next_bucket();
     if (begin == BucketQueue::kBuckets) break;
     const std::size_t end = step_end(begin);
-    crew_.each(parts_.size(), [&](std::size_t i) { parts_[i].work(end, goal_); });
+    std::size_t queued = 0;
+    for (std::size_t bucket = begin; bucket < end; ++bucket) queued += n_queued(bucket);
+    const std::size_t remaining = goal_.remaining();
+    const auto work = [&](std::size_t i) { parts_[i].work(end, goal_); };
+    if (queued < kFew)
+      for (std::size_t i = 0; i < parts_.size(); ++i) work(i);
+    else
+      crew_.each(parts_.size(), work);
     gather_strays();
     append(begin, end);
     seams_.work(end, goal_);
@@ -131,6 +148,8 @@ inline void MemorylessQuadricRun::run(std::size_t target_faces, std::size_t targ
       goal_.count(done.collapse);
     }
     seams_.done.clear();
+    faces_per_edge_ =
+        std::max(0.125, static_cast<double>(remaining - goal_.remaining()) / static_cast<double>(queued));
   }
   plan_.record.planned = plan_.collapses.size();
 }

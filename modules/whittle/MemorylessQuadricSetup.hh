@@ -34,6 +34,7 @@ MemorylessQuadricMesh::MemorylessQuadricMesh(const IndexedMeshT<Real>& mesh, con
     const Eigen::Vector3d p = mesh.points[v].template cast<double>();
     vertices_.push_back({((p - center_) * (1 / scale_)).cast<float>(), 0});
     if (holds_[i] == kFree && !extras.flags.empty() && (extras.flags[v] & kHeld)) holds_[i] = kFixed;
+    all_free_ &= holds_[i] == kFree;
   }
   quadrics_.resize(vertices_.size());
   if (!extras.tolerance.empty()) set_weights(extras.tolerance);
@@ -55,7 +56,7 @@ inline MemorylessQuadricMesh::MemorylessQuadricMesh(MortonOrder order, float min
       min_cos_(min_cos),
       center_((order.low + order.high) / 2) {
   if ((order.high - order.low).maxCoeff() > 0) scale_ = (order.high - order.low).maxCoeff();
-  table_ = CornerTable(order.triangles, input_.size(), crew.size());
+  table_ = CornerTable(order.triangles, input_.size(), crew);
   for (std::uint32_t v = 0; v < input_.size(); ++v)
     if (table_.first(v) == kNoCorner) holds_[v] = kUntouchable;
   cut();
@@ -64,7 +65,7 @@ inline MemorylessQuadricMesh::MemorylessQuadricMesh(MortonOrder order, float min
 /// Vertices by their numbers, and faces, which come in the order of their smallest vertex.
 inline void MemorylessQuadricMesh::cut() {
   // Larger parts leave less between them, smaller ones fit the cache; four keep several threads busy.
-  constexpr std::size_t kPartSize = 16384, kLeastSize = 4096, kSome = 4;
+  constexpr std::size_t kPartSize = 16384, kLeastSize = 1024, kSome = 4;
   const std::size_t n = input_.size(), some = std::clamp<std::size_t>(n / kLeastSize, 1, kSome);
   n_parts_ = static_cast<Part>(std::clamp<std::size_t>(n / kPartSize, some, 0xffff));
   parts_per_vertex_ = (std::uint64_t{n_parts_} << 32) / std::max<std::size_t>(n, 1);

@@ -18,7 +18,13 @@ using meshes::IndexedMesh;
 namespace {
 
 CornerTable table_of(const IndexedMesh& mesh) {
-  return {mesh.triangles, mesh.points.size(), 2};
+  Crew crew(2);
+  return {mesh.triangles, mesh.points.size(), crew};
+}
+
+/// The next item below a bucket.
+bool pop(BucketQueue& queue, std::uint32_t& item, std::size_t end = BucketQueue::kBuckets) {
+  return queue.advance(end) && queue.pop(item);
 }
 
 std::vector<Rings::Triangle> alive(const CornerTable& table) {
@@ -123,19 +129,19 @@ TEST_CASE("a bucket queue goes up by quarters of an octave, and first in, first 
   queue.push(1, BucketQueue::bucket_of(3));
   queue.push(2, BucketQueue::bucket_of(0.1f));
   queue.push(3, BucketQueue::bucket_of(3.1f));
-  REQUIRE(queue.pop(item));
+  REQUIRE(pop(queue, item));
   CHECK(item == 2);
   queue.push(4, BucketQueue::bucket_of(0.001f));  // below where the queue is: comes at once
-  REQUIRE(queue.pop(item));
+  REQUIRE(pop(queue, item));
   CHECK(item == 4);
-  REQUIRE(queue.pop(item));
+  REQUIRE(pop(queue, item));
   CHECK(item == 1);
   CHECK(queue.bucket() == BucketQueue::bucket_of(3));
-  REQUIRE(queue.pop(item));
+  REQUIRE(pop(queue, item));
   CHECK(item == 3);
-  CHECK_FALSE(queue.pop(item));
+  CHECK_FALSE(pop(queue, item));
   queue.push(5, 9999);
-  REQUIRE(queue.pop(item));
+  REQUIRE(pop(queue, item));
   CHECK(item == 5);
 }
 
@@ -146,14 +152,14 @@ TEST_CASE("a bucket queue stops below a bucket, and goes on from there") {
   queue.push(6, 700);
   CHECK(queue.next_bucket() == 700);
   CHECK(queue.size(700) == 1);
-  CHECK_FALSE(queue.pop(item, 700));
+  CHECK_FALSE(pop(queue, item, 700));
   queue.push(7, 3);  // too late for its own bucket: the next one that is read
-  REQUIRE(queue.pop(item, 701));
+  REQUIRE(pop(queue, item, 701));
   CHECK(item == 6);
-  REQUIRE(queue.pop(item, 701));
+  REQUIRE(pop(queue, item, 701));
   CHECK(item == 7);
   CHECK(queue.size(700) == 0);
-  CHECK_FALSE(queue.pop(item, 701));
+  CHECK_FALSE(pop(queue, item, 701));
 }
 
 TEST_CASE("Morton order renumbers and loses nothing") {

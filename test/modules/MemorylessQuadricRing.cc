@@ -24,7 +24,8 @@ struct Wheel {
       vertices.push_back({{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0}, 0});
     }
     for (std::uint32_t i = 0; i < n; ++i)
-      ring.add() = {0, 1 + i, 1 + (i + 1) % n, 4 * i, PackedNormal(Vector3f::UnitZ())};
+      ring.add({1 + i, 1 + (i + 1) % n, 4 * i, PackedNormal(Vector3f::UnitZ())});
+    ring.turn_over();
   }
   std::vector<Ring::Vertex> vertices;
   Ring ring;
@@ -38,15 +39,15 @@ TEST_CASE("a ring turns any number of faces, and forgets the last one's") {
   for (std::uint32_t n = 3; n <= 13; ++n) {
     Wheel wheel(n);
     REQUIRE(wheel.ring.size() == n);
-    CHECK(wheel.ring.turn(wheel.vertices, {0.1f, 0, 0}, kGuard));
+    CHECK(wheel.ring.turn(wheel.vertices, 0, 0, {0.1f, 0, 0}, kGuard));
     // Out over a rim: each face must be looked at, the last one too.
     for (std::uint32_t i = 0; i < n; ++i) {
       const Vector3f out = wheel.vertices[1 + i].position + wheel.vertices[1 + (i + 1) % n].position;
-      CHECK_FALSE(wheel.ring.turn(wheel.vertices, out, kGuard));
+      CHECK_FALSE(wheel.ring.turn(wheel.vertices, 0, 0, out, kGuard));
     }
     wheel.ring.clear();
     CHECK(wheel.ring.size() == 0);
-    CHECK(wheel.ring.turn(wheel.vertices, {50, 0, 0}, kGuard));
+    CHECK(wheel.ring.turn(wheel.vertices, 0, 0, {50, 0, 0}, kGuard));
   }
 }
 
@@ -57,38 +58,56 @@ TEST_CASE("the guard measures the turn against the face before") {
     return static_cast<float>(std::sqrt(0.75) * std::tan(degrees * kPi / 180));
   };
   const double most = std::acos(0.2) * 180 / kPi;
-  CHECK(wheel.ring.turn(wheel.vertices, {0, 0, height(most - 0.1)}, kGuard));
-  CHECK_FALSE(wheel.ring.turn(wheel.vertices, {0, 0, height(most + 0.1)}, kGuard));
-  CHECK(wheel.ring.turn(wheel.vertices, {0, 0, height(most + 0.1)}, -1));
+  CHECK(wheel.ring.turn(wheel.vertices, 0, 0, {0, 0, height(most - 0.1)}, kGuard));
+  CHECK_FALSE(wheel.ring.turn(wheel.vertices, 0, 0, {0, 0, height(most + 0.1)}, kGuard));
+  CHECK(wheel.ring.turn(wheel.vertices, 0, 0, {0, 0, height(most + 0.1)}, -1));
 }
 
 TEST_CASE("no face is turned over against the input, whatever the guard") {
   Wheel wheel(6);
   for (const Vector3f& input : {Vector3f(0, 0, -1), Vector3f(1, 0, 0)}) {
     Ring ring;
-    for (const auto& side : wheel.ring)
-      ring.add() = {side.moving, side.from, side.to, side.corner, PackedNormal(input)};
-    CHECK_FALSE(ring.turn(wheel.vertices, {0.1f, 0, 0}, -1));
+    for (const auto& side : wheel.ring) ring.add({side.from, side.to, side.corner, PackedNormal(input)});
+    CHECK_FALSE(ring.turn(wheel.vertices, 0, 0, {0.1f, 0, 0}, -1));
   }
   Ring ring;  // faces that had no normal in the input
-  for (const auto& side : wheel.ring)
-    ring.add() = {side.moving, side.from, side.to, side.corner, PackedNormal()};
-  CHECK(ring.turn(wheel.vertices, {0.1f, 0, 0}, -1));
+  for (const auto& side : wheel.ring) ring.add({side.from, side.to, side.corner, PackedNormal()});
+  CHECK(ring.turn(wheel.vertices, 0, 0, {0.1f, 0, 0}, -1));
+}
+
+TEST_CASE("the faces at the second end move there") {
+  // Two squares' halves side by side: 0 and 1 are the ends, the faces 0 2 3 and 1 4 5 stay.
+  const std::vector<Ring::Vertex> vertices{{{0, 0, 0}, 0},  {{1, 0, 0}, 0}, {{-1, 1, 0}, 0},
+                                           {{-1, 0, 0}, 0}, {{2, 0, 0}, 0}, {{2, 1, 0}, 0}};
+  Ring ring;
+  ring.add({2, 3, 0, PackedNormal(Vector3f::UnitZ())});
+  ring.turn_over();
+  ring.add({4, 5, 4, PackedNormal(Vector3f::UnitZ())});
+  CHECK(ring.n_at_start() == 1);
+  CHECK(ring.turn(vertices, 0, 1, {0.5f, 0, 0}, kGuard));
+  CHECK_FALSE(ring.turn(vertices, 0, 1, {-1.5f, 0, 0}, kGuard));  // over the first face's far edge
+  CHECK_FALSE(ring.turn(vertices, 0, 1, {2.5f, 0, 0}, kGuard));   // over the second's
+  // What changes is the second face's quadric, from its own end.
+  REQUIRE(ring.turn(vertices, 0, 1, {1, 0, 0}, kGuard));
+  std::map<std::uint32_t, SymmetricMatrix> changes;
+  ring.update([&](std::uint32_t v, const SymmetricMatrix& change) { changes[v] += change; });
+  CHECK(changes[4].zz == 0);  // it has not moved
+  CHECK(changes[2].zz == 1);  // twice the area
 }
 
 TEST_CASE("a face without area may turn anywhere") {
   std::vector<Ring::Vertex> vertices{{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{2, 0, 0}, 0}};
   Ring ring;
-  ring.add() = {0, 1, 2, 0, PackedNormal()};
-  CHECK(ring.turn(vertices, {0, 1, 0}, kGuard));
-  CHECK(ring.turn(vertices, {0, -1, 0}, kGuard));
+  ring.add({1, 2, 0, PackedNormal()});
+  CHECK(ring.turn(vertices, 0, 0, {0, 1, 0}, kGuard));
+  CHECK(ring.turn(vertices, 0, 0, {0, -1, 0}, kGuard));
 }
 
 TEST_CASE("an update gives the quadrics' change and the survivor's sum") {
   for (const std::uint32_t n : {3u, 4u, 5u, 9u}) {
     Wheel wheel(n);
     const Vector3f target(0.1f, -0.05f, 0.2f);
-    REQUIRE(wheel.ring.turn(wheel.vertices, target, kGuard));
+    REQUIRE(wheel.ring.turn(wheel.vertices, 0, 0, target, kGuard));
     std::map<std::uint32_t, SymmetricMatrix> changes;
     const SymmetricMatrix sum =
         wheel.ring.update([&](std::uint32_t v, const SymmetricMatrix& change) { changes[v] += change; });
