@@ -1,7 +1,10 @@
 #include "speed/rounds.hh"
 
 #include <algorithm>
+#include <map>
 #include <random>
+#include <string>
+#include <utility>
 
 #include "recipe/Stopwatch.hh"
 #include "speed/memory.hh"
@@ -55,13 +58,28 @@ void time(const Subject& subject, Result& result) {
   note_phases(phases, result);
 }
 
+using Visit = std::pair<const Subject*, Result*>;
+
+/// A new order in which those who do the same, the same model to the same target, stay together: whatever
+/// else the machine does meanwhile meets them alike.
+void shuffle(std::vector<Visit>& visits, std::mt19937& random) {
+  std::shuffle(visits.begin(), visits.end(), random);
+  const auto task = [](const Visit& visit) {
+    return std::make_pair(visit.first, visit.second->entry.target);
+  };
+  std::map<std::pair<const Subject*, std::string>, std::size_t> places;
+  for (const Visit& visit : visits) places.emplace(task(visit), places.size());
+  std::stable_sort(visits.begin(), visits.end(),
+                   [&](const Visit& a, const Visit& b) { return places.at(task(a)) < places.at(task(b)); });
+}
+
 }  // namespace
 
 std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector<Subject>& subjects,
                                      terminal::Progress& progress) {
   const std::size_t rounds = settings.rounds;
   std::vector<ModelResults> models;
-  std::vector<std::pair<const Subject*, Result*>> visits;
+  std::vector<Visit> visits;
   for (const Subject& subject : subjects) {
     progress.say(subject.name + ": planning");
     ModelResults& model = models.emplace_back();
@@ -84,7 +102,7 @@ std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector
   }
   std::mt19937 random(1);
   for (std::size_t round = 0; round < rounds; ++round) {
-    std::shuffle(visits.begin(), visits.end(), random);
+    shuffle(visits, random);
     for (const auto& [subject, result] : visits) {
       progress.step("round " + std::to_string(round + 1) + " of " + std::to_string(rounds) + ", " +
                     subject->name + ", " + result->entry.name());

@@ -7,11 +7,9 @@
 #include "whittle/Chain.hh"
 #include "whittle/Circumcenter.hh"
 #include "whittle/FaceAngle.hh"
-#include "whittle/MemorylessQuadric.hh"
 #include "whittle/SphereScan.hh"
 #include "whittle/VertexDistance.hh"
 #include "whittle/VertexTripletDistance.hh"
-#include "whittle/bulk.hh"
 #include "whittle/execute.hh"
 
 namespace whittle::speed {
@@ -45,37 +43,14 @@ class BulkContender : public Contender {
   ExecutedT<float> out_;
 };
 
-/// mq needs no surface, and so has no phases.
-class MqContender : public Contender {
- public:
-  MqContender(const MemorylessQuadric& planner, std::size_t threads) : planner_(planner) {
-    options_.threads = threads;
-  }
-
-  void load(const Subject& subject) override { arrays_ = &subject.arrays; }
-  void decimate(Phases&) override { out_ = bulk(planner_, *arrays_, options_); }
-  Arrays unload() override { return std::move(out_.mesh); }
-
- private:
-  MemorylessQuadric planner_;
-  BulkOptions options_;
-  const Arrays* arrays_ = nullptr;
-  BulkResultT<float> out_;
-};
-
-template <typename ContenderOf, typename... Settings>
-Entry entry_of(const std::string& module, const Settings&... settings) {
+template <typename Planner>
+Entry entry(const char* module, const Planner& planner) {
   Entry e;
   e.method = "bulk";
   e.module = module;
   e.in_place = true;
-  e.make = [settings...] { return std::make_unique<ContenderOf>(settings...); };
+  e.make = [planner] { return std::make_unique<BulkContender<Planner>>(planner); };
   return e;
-}
-
-template <typename Planner>
-Entry entry(const char* module, const Planner& planner) {
-  return entry_of<BulkContender<Planner>>(module, planner);
 }
 
 }  // namespace
@@ -90,19 +65,6 @@ std::vector<Entry> bulk_entries(const Subject& subject) {
   return {entry("vt", Circumcenter()), entry("fad", FaceAngle()),
           entry("ivdd", ivdd),         entry("ss", ss),
           entry("vtd", vtd),           entry("fass", Chain<FaceAngle, SphereScan>{{FaceAngle(), ss}})};
-}
-
-std::vector<Entry> mq_entries(const std::vector<Target>& targets, std::size_t threads) {
-  std::vector<Entry> entries;
-  for (const Target& target : targets) {
-    MemorylessQuadric mq;
-    mq.target_faces = target.faces;
-    entries.push_back(
-        entry_of<MqContender>(threads == 0 ? "mq" : "mq, threads: " + std::to_string(threads), mq, threads));
-    entries.back().target = target.name;
-    entries.back().target_faces = target.faces;
-  }
-  return entries;
 }
 
 std::vector<Target> planned_faces(const Subject& subject) {
