@@ -40,9 +40,6 @@ done
 clang-format --dry-run --Werror "${existing[@]}"
 echo "test/run.sh: ${#existing[@]} sources are formatted"
 
-# Mesa keeps memory until the process ends; everything else that leaks is an error.
-export LSAN_OPTIONS="suppressions=$PWD/test/lsan.supp:print_suppressions=0"
-export TSAN_OPTIONS="suppressions=$PWD/test/tsan.supp"
 for preset in "${presets[@]}"; do
   step="$preset: configure"
   cmake --preset "$preset"

@@ -29,6 +29,7 @@ class Bench {
     const int status = std::system(command.c_str());
     out = scratch::contents(folder_ / "out.txt");
     err = scratch::contents(folder_ / "err.txt");
+    UNSCOPED_INFO("whittle-bench " << arguments << ": " << err);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 

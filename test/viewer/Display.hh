@@ -45,7 +45,8 @@ class Display {
     setenv("DISPLAY", name.c_str(), 1);
     // GLX unloads what it has leaked itself, so that no suppression can name it; the rest of the program is
     // searched for leaks by the tests of its parts.
-    ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
+    const char* const options = ::getenv("ASAN_OPTIONS");
+    ::setenv("ASAN_OPTIONS", ((options ? options : "") + std::string(":detect_leaks=0")).c_str(), 1);
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     setenv("XDG_CONFIG_HOME", folder / "config", 1);
   }
