@@ -72,11 +72,14 @@ class BucketQueue {
 
   std::size_t bucket() const { return at_; }  ///< the one that the last item came from
 
-  /// The item that is `ahead` places behind the next one in the same bucket, or the last there; for
-  /// prefetching.
+  /// The item that is `ahead` places behind the next one, in the same bucket or the one after it; null if it
+  /// is not there. For prefetching.
   const std::uint32_t* peek(std::size_t ahead) const {
     const auto& items = buckets_[at_];
-    return read_ + ahead < items.size() ? &items[read_ + ahead] : nullptr;
+    const std::size_t i = read_ + ahead;
+    if (i < items.size()) return &items[i];
+    const auto& later = buckets_[at_ + 1 < kBuckets ? at_ + 1 : at_];
+    return i - items.size() < later.size() ? &later[i - items.size()] : nullptr;
   }
 
  private:

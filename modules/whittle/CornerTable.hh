@@ -14,10 +14,17 @@
 
 namespace whittle {
 
-/// A half-edge of the corner table: four times its face plus the corner where it starts. The same number
+/// A half-edge of the corner table: eight times its face plus the corner where it starts. The same number
 /// names that corner.
 using Corner = std::uint32_t;
 constexpr Corner kNoCorner = 0xffffffffu;
+
+constexpr Corner corner_of(std::size_t face) {
+  return static_cast<Corner>(Fans::kPerFace * face);
+}
+constexpr std::uint32_t face_of(Corner c) {
+  return c / Fans::kPerFace;
+}
 
 inline Corner next(Corner c) {
   return (c & 3) == 2 ? c - 2 : c + 1;
@@ -42,6 +49,7 @@ class CornerTable {
     std::uint16_t part;          ///< of the mesh, for the planner's use
     PackedNormal normal;         ///< in the input
   };
+  static_assert(sizeof(Face) == Fans::kPerFace * sizeof(std::uint32_t));
   static constexpr std::uint32_t kDead = 0xffffffffu;
 
   CornerTable() = default;
@@ -50,13 +58,13 @@ class CornerTable {
   ///                    fan; a half-edge between two that have none has no twin.
   CornerTable(const std::vector<Fans::Triangle>& triangles, std::size_t n_vertices, Crew& crew);
 
-  Face& face(Corner c) { return faces_[c >> 2]; }
-  const Face& face(Corner c) const { return faces_[c >> 2]; }
+  Face& face(Corner c) { return faces_[face_of(c)]; }
+  const Face& face(Corner c) const { return faces_[face_of(c)]; }
   Face* faces() { return faces_.data(); }
   std::size_t n_faces() const { return faces_.size(); }
   bool is_dead(Corner c) const { return face(c).vertex[0] == kDead; }
-  std::uint32_t vertex(Corner c) const { return face(c).vertex[c & 3]; }
-  Corner twin(Corner c) const { return face(c).twin[c & 3]; }
+  std::uint32_t vertex(Corner c) const { return words()[c]; }
+  Corner twin(Corner c) const { return words()[c + 3]; }
 
   /// Whether somebody has marked this half-edge.
   bool is_line(Corner c) const { return (face(c).queued >> (3 + (c & 3)) & 1) != 0; }
@@ -80,8 +88,13 @@ class CornerTable {
   void close(Corner c);
 
   void set_twin(Corner c, Corner twin) {
-    if (c != kNoCorner) face(c).twin[c & 3] = twin;
+    if (c != kNoCorner) words()[c + 3] = twin;
   }
+
+  /// All faces in a row, eight words each: a corner's number is the place of its vertex, and three further on
+  /// is its twin. That is one instruction where a face and a place in it would be four.
+  std::uint32_t* words() { return reinterpret_cast<std::uint32_t*>(faces_.data()); }
+  const std::uint32_t* words() const { return reinterpret_cast<const std::uint32_t*>(faces_.data()); }
 
   std::vector<Face> faces_;
   std::vector<Corner> first_;
@@ -116,15 +129,17 @@ inline CornerTable::CornerTable(const std::vector<Fans::Triangle>& triangles, st
   bool complete = true;
   for (std::uint32_t v = 0; v < n_vertices; ++v) complete &= first_[v] != kNoCorner || fans.valence(v) == 0;
   // If that has no ring, where it ends.
-  for (Corner f = 0; !complete && f < 4 * triangles.size(); f += 4)
-    for (Corner c = f; c < f + 3; ++c)
+  for (std::size_t f = 0; !complete && f < triangles.size(); ++f)
+    for (Corner c = corner_of(f); c < corner_of(f) + 3; ++c)
       if (twin(c) != kNoCorner && first_[vertex(twin(c))] == kNoCorner) set_twin(twin(c), c);
 }
 
 inline void CornerTable::collapse(Corner c) {
   const Corner d = twin(c);
   const std::uint32_t to = vertex(c), from = vertex(next(c));
-  const auto in_face_of = [](Corner at, Corner edge) { return edge != kNoCorner && at >> 2 == edge >> 2; };
+  const auto in_face_of = [](Corner at, Corner edge) {
+    return edge != kNoCorner && face_of(at) == face_of(edge);
+  };
 
   // The fan of the merged vertex begins where that of the open one of the two begins; on a boundary edge,
   // where `to` begins and `from` ends, where that of `from` does; in a disc, anywhere. If that face vanishes,
@@ -136,7 +151,7 @@ inline void CornerTable::collapse(Corner c) {
     first = twin(previous(d));
 
   for (Corner at = first_[from]; at != kNoCorner;) {
-    face(at).vertex[at & 3] = to;
+    words()[at] = to;
     at = around(at);
     if (at == first_[from]) break;
   }

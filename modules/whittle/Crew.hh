@@ -14,7 +14,9 @@
 
 namespace whittle {
 
-/// The calling thread and its helpers. Nobody waits for a helper that wakes up when a round is over.
+/// The calling thread and its helpers. Nobody waits for a helper that wakes up when a round is over. Since to
+/// fall asleep and to be woken takes longer than many a round, a thread that waits looks again for a while
+/// first, and gives way to others meanwhile.
 class Crew {
  public:
   /// \param n_threads  with the calling one; fewer if there are no more to be had
@@ -44,12 +46,19 @@ class Crew {
  private:
   void help();
   void take_items();
+  template <typename IsOver>
+  static void look_again(IsOver is_over) {
+    constexpr int kTimes = 200;  // one to two hundred microseconds
+    for (int i = 0; i < kTimes && !is_over(); ++i) std::this_thread::yield();
+  }
 
   std::vector<std::thread> helpers_;
   std::mutex mutex_;
   std::condition_variable begun_, ended_;
-  std::size_t round_ = 0, active_ = 0;  // rounds begun; helpers at work
-  bool open_ = false, ending_ = false;
+  // Changed under the mutex; who looks again reads them without.
+  std::atomic<std::size_t> round_{0}, active_{0};  // rounds begun; helpers at work
+  std::atomic<bool> ending_{false};
+  bool open_ = false;
   const std::function<void(std::size_t)>* work_ = nullptr;
   std::size_t n_ = 0;
   std::atomic<std::size_t> next_{0};
@@ -72,6 +81,7 @@ inline void Crew::each(std::size_t n, const std::function<void(std::size_t)>& wo
   }
   begun_.notify_all();
   take_items();
+  look_again([&] { return active_ == 0; });
   std::unique_lock lock(mutex_);
   open_ = false;
   ended_.wait(lock, [&] { return active_ == 0; });
@@ -88,8 +98,9 @@ inline void Crew::take_items() {
 }
 
 inline void Crew::help() {
-  std::unique_lock lock(mutex_);
   for (std::size_t seen = 0;;) {
+    look_again([&] { return ending_ || round_ != seen; });
+    std::unique_lock lock(mutex_);
     begun_.wait(lock, [&] { return ending_ || (open_ && round_ != seen); });
     if (ending_) return;
     seen = round_;

@@ -23,16 +23,19 @@ enum class RingShape : std::uint8_t {
 class Fans {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
+  /// Numbers of corners go up by so many from face to face; a CornerTable's faces have as many words.
+  static constexpr std::uint32_t kPerFace = 8;
+  static constexpr std::size_t kMostTriangles = (std::size_t{1} << 32) / kPerFace;
 
-  /// \param triangles  all indices below `n_vertices`.
+  /// \param triangles  at most kMostTriangles, all indices below `n_vertices`.
   Fans(const std::vector<Triangle>& triangles, std::size_t n_vertices);
 
   std::size_t valence(std::uint32_t v) const { return first_[v + 1] - first_[v] - 1; }
 
   /// Goes around a vertex counter-clockwise, from where an open fan begins: calls `visit(i, corner, next,
-  /// previous)` for the i-th face, where `corner` is four times its index plus the corner that is at `v`, and
-  /// the others are the vertices after and before it. Where the shape is complex, what was visited means
-  /// nothing.
+  /// previous)` for the i-th face, where `corner` is `kPerFace` times its index plus the corner that is at
+  /// `v`, and the others are the vertices after and before it. Where the shape is complex, what was visited
+  /// means nothing.
   template <typename Visit>
   RingShape walk(const std::vector<Triangle>& triangles, std::uint32_t v, Visit visit) const {
     const std::size_t n = valence(v);
@@ -54,12 +57,15 @@ class Fans {
   static constexpr std::size_t kFew = 8, kSome = 24, kMany = 0;
 
   /// The faces of one vertex, at most `N`: their corners there, the vertices after and before, and which face
-  /// comes next.
+  /// comes next. Where there are fewer, the vertices that are missing are no neighbours of each other.
   template <std::size_t N>
   struct Fan {
     std::array<std::uint32_t, N> corner, next, previous, follower;
     std::size_t n_followed = 0, sum = 0;  // how many follow another, and the sum of their places
-    explicit Fan(std::size_t /*n*/) {}
+    explicit Fan(std::size_t /*n*/) {
+      next.fill(kNone);
+      previous.fill(kNone - 1);
+    }
     bool link(std::size_t n);
   };
 
@@ -80,7 +86,7 @@ inline Fans::Fans(const std::vector<Triangle>& triangles, std::size_t n_vertices
   corners_.resize(first_.back());
   // Filling moves each start to the end of its faces, one short of the next start.
   for (std::uint32_t f = 0; f < triangles.size(); ++f)
-    for (std::uint32_t i = 0; i < 3; ++i) corners_[first_[triangles[f][i]]++] = 4 * f + i;
+    for (std::uint32_t i = 0; i < 3; ++i) corners_[first_[triangles[f][i]]++] = kPerFace * f + i;
   for (std::size_t v = first_.size() - 1; v > 0; --v) first_[v] = first_[v - 1] + 1;
   first_[0] = 0;
 }
@@ -89,11 +95,7 @@ inline Fans::Fans(const std::vector<Triangle>& triangles, std::size_t n_vertices
 /// faces comparing all with all is the fastest: no branches, and compilers make it vector instructions.
 /// \return false  two faces begin there.
 template <std::size_t N>
-bool Fans::Fan<N>::link(std::size_t n) {
-  for (std::size_t i = n; i < N; ++i) {
-    next[i] = kNone;
-    previous[i] = kNone - 1;
-  }
+bool Fans::Fan<N>::link(std::size_t /*n*/) {
   constexpr std::uint32_t kOne = 1u << 16;  // the sum of the matches' places, and above it how many they are
   std::array<std::uint32_t, N> matches{};
   for (std::uint32_t j = 0; j < N; ++j)
@@ -139,7 +141,7 @@ RingShape Fans::walk_some(const std::vector<Triangle>& triangles, std::uint32_t 
   Fan<N> fan(n);
   constexpr std::array<std::uint8_t, 4> kNext{1, 2, 0, 1};
   for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t corner = corners[i] % 4, f = corners[i] / 4;
+    const std::uint32_t corner = corners[i] % kPerFace, f = corners[i] / kPerFace;
     fan.corner[i] = corners[i];
     fan.next[i] = triangles[f][kNext[corner]];
     fan.previous[i] = triangles[f][kNext[corner + 1]];

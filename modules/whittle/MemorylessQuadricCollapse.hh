@@ -22,8 +22,7 @@ namespace whittle {
 inline auto MemorylessQuadricMesh::place(const std::array<Corner, 4>& corners) const -> Placements {
   FourEdges edges;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto& vertex = table_.face(corners[i]).vertex;
-    const std::uint32_t a = vertex[corners[i] & 3], b = vertex[next(corners[i]) & 3];
+    const std::uint32_t a = table_.vertex(corners[i]), b = table_.vertex(next(corners[i]));
     edges.start[i] = a;
     edges.end[i] = b;
     edges.at_start[i] = &quadrics_[a];
@@ -90,21 +89,19 @@ inline auto MemorylessQuadricMesh::safe_place(const Vec& e, Hold a, Hold b, cons
 /// \return  false  the ring leaves the hand's part.
 template <typename Visit>
 bool MemorylessQuadricMesh::survey(Corner c, Corner d, Hand& hand, Visit visit) {
-  const CornerTable::Face* const faces = table_.faces();
   if (c != kNoCorner) {
     const Corner end = d == kNoCorner ? kNoCorner : next(d);
     std::uint32_t w = table_.vertex(previous(c));
     visit(vertices_[w]);
     Corner at = table_.around(c);
     while (at != end && at != kNoCorner) {
-      const CornerTable::Face& face = faces[at >> 2];
-      const Corner back = previous(at) & 3;
-      const std::uint32_t after = face.vertex[back];  // the neighbour that comes next
+      const Corner back = previous(at);
+      const std::uint32_t after = table_.vertex(back);  // the neighbour that comes next
       if (!hand.has(after)) return false;
-      hand.ring.add({w, after, at, face.normal});
+      hand.ring.add({w, after, at, table_.face(at).normal});
       visit(vertices_[after]);
       w = after;
-      at = face.twin[back];
+      at = table_.twin(back);
     }
     if (at == end) return true;
   }
@@ -115,7 +112,7 @@ bool MemorylessQuadricMesh::survey(Corner c, Corner d, Hand& hand, Visit visit) 
     const Corner at = next(back);
     const std::uint32_t before = table_.vertex(next(at));
     if (!hand.has(before)) return false;
-    hand.ring.add({before, w, at, faces[at >> 2].normal});
+    hand.ring.add({before, w, at, table_.face(at).normal});
     visit(vertices_[before]);
     w = before;
     back = table_.twin(at);
@@ -162,9 +159,9 @@ inline bool MemorylessQuadricMesh::keeps_bound(Corner c, const Vec& target, Hand
   auto& sorting = hand.sorting;
   sorting.clear();
   for (const Corner side : {c, table_.twin(c)})
-    if (side != kNoCorner) sorting.faces.push_back(side >> 2);
+    if (side != kNoCorner) sorting.faces.push_back(face_of(side));
   for (const auto& side : hand.ring) {
-    const std::uint32_t face = side.corner >> 2;
+    const std::uint32_t face = face_of(side.corner);
     sorting.faces.push_back(face);
     sorting.triangles.push_back({face, target, vertices_[side.from].position, vertices_[side.to].position});
   }

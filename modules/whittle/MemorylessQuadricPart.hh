@@ -90,9 +90,9 @@ inline void MemorylessQuadricPart::queue_all(std::size_t first_face, std::size_t
     }
   };
   InFours<Corner, decltype(take)> edges(take);
-  for (Corner f = static_cast<Corner>(4 * first_face); f < 4 * last_face; f += 4)
-    for (Corner c = f; c < f + 3; ++c) {
-      if ((table.twin(c) != kNoCorner && c > table.twin(c)) || !mesh_.is_movable(c)) continue;
+  for (std::size_t f = first_face; f < last_face; ++f)
+    for (Corner c = corner_of(f); c < corner_of(f) + 3; ++c) {
+      if (c > table.twin(c) || !mesh_.is_movable(c)) continue;  // no corner is greater than kNoCorner
       table.face(c).queued |= bit_of(c);
       edges.add(c);
     }

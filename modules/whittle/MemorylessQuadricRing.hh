@@ -96,7 +96,7 @@ inline bool MemorylessQuadricRing::turn(const std::vector<Vertex>& vertices, std
     const Four guard = cosine * cosine.abs() - limit * turn.before_square * turn.after_square;
     const Four upright = overall * overall.abs() - kUpright * turn.after_square;
     if (!(guard.min(upright).minCoeff() > 0))
-      for (Eigen::Index k = 0; k < 4; ++k)
+      for (Eigen::Index k = 0; k < std::min<Eigen::Index>(4, static_cast<Eigen::Index>(n_ - i)); ++k)
         if ((turn.before_square[k] > 0 && !(guard[k] > 0)) || (normals[k] != 0 && !(upright[k] > 0)))
           return false;
   }

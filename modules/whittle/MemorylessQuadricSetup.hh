@@ -44,8 +44,7 @@ MemorylessQuadricMesh::MemorylessQuadricMesh(const IndexedMeshT<Real>& mesh, con
   if (options.max_distance < HUGE_VAL) set_bound(options.max_distance, extras.tolerance);
   for (std::size_t f = 0; f < input_face_.size(); ++f) {
     const Vec normal = extras.reference_normals[input_face_[f]].stableNormalized().cast<float>();
-    table_.face(static_cast<Corner>(4 * f)).normal =
-        normal.squaredNorm() > 0 ? PackedNormal(normal) : PackedNormal();
+    table_.face(corner_of(f)).normal = normal.squaredNorm() > 0 ? PackedNormal(normal) : PackedNormal();
   }
 }
 
@@ -88,7 +87,7 @@ inline void MemorylessQuadricMesh::sum_quadrics(Crew& crew) {
   crew.each(n_parts(), [&](std::size_t i) {
     InFours<Corner, decltype(take)> own(take);
     for (std::size_t f = first_face_[i]; f < first_face_[i + 1]; ++f) {
-      const auto c = static_cast<Corner>(4 * f);
+      const Corner c = corner_of(f);
       set_part(c);
       if (table_.face(c).part == kEverywhere)
         between[i].push_back(c);
@@ -156,8 +155,8 @@ inline void MemorylessQuadricMesh::set_values(const SurfaceExtras& extras) {
 inline void MemorylessQuadricMesh::mark_features(double angle) {
   const auto normal = [&](Corner c) { return edge(c).cross(-edge(previous(c))).normalized().eval(); };
   const auto least = static_cast<float>(std::cos(angle));
-  for (Corner f = 0; f < 4 * table_.n_faces(); f += 4)
-    for (Corner c = f; c < f + 3; ++c) {
+  for (std::size_t f = 0; f < table_.n_faces(); ++f)
+    for (Corner c = corner_of(f); c < corner_of(f) + 3; ++c) {
       const Corner d = table_.twin(c);
       if (d == kNoCorner || d < c || !(normal(c).dot(normal(d)) < least)) continue;
       table_.set_line(c);
@@ -186,12 +185,11 @@ inline void MemorylessQuadricMesh::set_bound(double distance, const std::vector<
     if (!tolerance.empty()) distances[v] *= tolerance[input_[v]];
   }
   std::vector<Rings::Triangle> triangles(table_.n_faces());
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-    triangles[f] = table_.face(static_cast<Corner>(4 * f)).vertex;
+  for (std::size_t f = 0; f < triangles.size(); ++f) triangles[f] = table_.face(corner_of(f)).vertex;
   bound_ = MemorylessQuadricBound(std::move(points), Rings(triangles, vertices_.size(), false, 1),
                                   std::move(distances), triangles.size());
   for (std::uint32_t v = 0; v < vertices_.size(); ++v)
-    if (table_.first(v) != kNoCorner) bound_.put(v, table_.first(v) >> 2);
+    if (table_.first(v) != kNoCorner) bound_.put(v, face_of(table_.first(v)));
 }
 
 }  // namespace whittle

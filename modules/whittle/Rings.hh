@@ -53,7 +53,7 @@ class Rings {
                        [=](std::size_t k, std::uint32_t corner, std::uint32_t next, std::uint32_t previous) {
                          ring[k] = next;
                          ring[k + 1] = previous;
-                         if (faces != nullptr) faces[k] = corner / 4;
+                         if (faces != nullptr) faces[k] = corner / Fans::kPerFace;
                        });
       }
     });

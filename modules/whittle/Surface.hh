@@ -68,6 +68,8 @@ SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
   if (extras.n_values > SurfaceExtras::kMostValues)
     throw InvalidParameter("a vertex has more than " + std::to_string(SurfaceExtras::kMostValues) +
                            " values");
+  if (n_faces > Fans::kMostTriangles)
+    throw InvalidMesh("it has more than " + std::to_string(Fans::kMostTriangles) + " triangles");
   extras.flags.resize(n_vertices, 0);
   for (std::size_t v = 0; v < n_vertices; ++v)
     if (!mesh.points[v].allFinite())

@@ -29,16 +29,16 @@ bool pop(BucketQueue& queue, std::uint32_t& item, std::size_t end = BucketQueue:
 
 std::vector<Rings::Triangle> alive(const CornerTable& table) {
   std::vector<Rings::Triangle> out;
-  for (Corner c = 0; c < 4 * table.n_faces(); c += 4)
-    if (!table.is_dead(c)) out.push_back(table.face(c).vertex);
+  for (std::size_t f = 0; f < table.n_faces(); ++f)
+    if (!table.is_dead(corner_of(f))) out.push_back(table.face(corner_of(f)).vertex);
   return out;
 }
 
 /// The table's neighbours, and the fans that it walks, are those of its living faces.
 void check_consistent(const CornerTable& table, std::size_t n_vertices) {
   const Rings rings(alive(table), n_vertices, false, 1);
-  for (Corner f = 0; f < 4 * table.n_faces(); f += 4)
-    for (Corner c = f; c < f + 3 && !table.is_dead(f); ++c) {
+  for (std::size_t f = 0; f < table.n_faces(); ++f)
+    for (Corner c = corner_of(f); c < corner_of(f) + 3 && !table.is_dead(c); ++c) {
       const Corner d = table.twin(c);
       if (d == kNoCorner) continue;
       REQUIRE_FALSE(table.is_dead(d));
@@ -97,7 +97,7 @@ TEST_CASE("a corner table follows any legal collapses") {
       check_consistent(table, mesh.points.size());
       std::mt19937 random(seed);
       for (int i = 0; i < 300; ++i) {
-        const auto c = static_cast<Corner>(4 * (random() % table.n_faces()) + random() % 3);
+        const auto c = static_cast<Corner>(corner_of(random() % table.n_faces()) + random() % 3);
         if (table.is_dead(c)) continue;
         const std::uint32_t a = table.vertex(c), b = table.vertex(next(c));
         if (table.first(a) == kNoCorner || table.first(b) == kNoCorner) continue;  // complex

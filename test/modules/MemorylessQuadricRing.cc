@@ -24,7 +24,7 @@ struct Wheel {
       vertices.push_back({{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0}, 0});
     }
     for (std::uint32_t i = 0; i < n; ++i)
-      ring.add({1 + i, 1 + (i + 1) % n, 4 * i, PackedNormal(Vector3f::UnitZ())});
+      ring.add({1 + i, 1 + (i + 1) % n, corner_of(i), PackedNormal(Vector3f::UnitZ())});
     ring.turn_over();
   }
   std::vector<Ring::Vertex> vertices;
