@@ -78,7 +78,8 @@ class BucketQueue {
     const auto& items = buckets_[at_];
     const std::size_t i = read_ + ahead;
     if (i < items.size()) return &items[i];
-    const auto& later = buckets_[at_ + 1 < kBuckets ? at_ + 1 : at_];
+    if (at_ + 1 == kBuckets) return nullptr;
+    const auto& later = buckets_[at_ + 1];
     return i - items.size() < later.size() ? &later[i - items.size()] : nullptr;
   }
 

@@ -168,6 +168,7 @@ inline void CornerTable::close(Corner c) {
   if (first_[vertex(tip)] == tip)
     first_[vertex(tip)] = left;  // across the edge that the tip's fan goes on by
   face(c).vertex[0] = kDead;
+  face(c).queued = 0;  // so nobody need ask whether it is dead
 }
 
 }  // namespace whittle

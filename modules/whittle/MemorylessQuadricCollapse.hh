@@ -206,8 +206,9 @@ inline void MemorylessQuadricMesh::update_ring(Corner c, const Hand& hand, Symme
     const Corner tip = previous(side);
     quadrics_[table_.vertex(tip)] -= face_quadric(edge(side).cross(-edge(tip)));
   }
-  for (const std::uint32_t v : {table_.vertex(c), table_.vertex(next(c))})
-    for_each_line(v, [&](Corner half, std::uint32_t w) { quadrics_[w] -= boundary_quadric(edge(half)); });
+  if (has_lines_)
+    for (const std::uint32_t v : {table_.vertex(c), table_.vertex(next(c))})
+      for_each_line(v, [&](Corner half, std::uint32_t w) { quadrics_[w] -= boundary_quadric(edge(half)); });
   own += hand.ring.update([&](std::uint32_t v, const SymmetricMatrix& change) { quadrics_[v] += change; });
 }
 
@@ -264,11 +265,12 @@ inline Collapse MemorylessQuadricMesh::collapse(Corner c, const Placement& place
   vertices_[to].position = target;
   if (holds_[from] == kFixed) holds_[to] = kFixed;
   if (!weights_.empty()) weights_[to] = std::max(weights_[to], weights_[from]);
-  for_each_line(to, [&](Corner half, std::uint32_t w) {
-    const SymmetricMatrix boundary = boundary_quadric(edge(half));
-    quadrics_[w] += boundary;
-    quadric += boundary;
-  });
+  if (has_lines_)
+    for_each_line(to, [&](Corner half, std::uint32_t w) {
+      const SymmetricMatrix boundary = boundary_quadric(edge(half));
+      quadrics_[w] += boundary;
+      quadric += boundary;
+    });
   quadrics_[to] = quadric;
   if (hand.part == kEverywhere) {
     Corner at = table_.first(to);

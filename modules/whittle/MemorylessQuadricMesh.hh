@@ -178,6 +178,7 @@ class MemorylessQuadricMesh {
   MemorylessQuadricValues values_;
   MemorylessQuadricBound bound_;
   bool has_features_ = false;
+  bool has_lines_ = false;  // edges with planes of their own, boundary or feature
   float min_cos_;
   double scale_ = 1;
   Eigen::Vector3d center_;

@@ -61,7 +61,7 @@ class MemorylessQuadricPart {
   }
   static std::uint16_t bit_of(Corner c) { return static_cast<std::uint16_t>(1u << (c & 3)); }
   static bool is_queued(const CornerTable& table, Corner c) {
-    return !table.is_dead(c) && (table.face(c).queued & bit_of(c)) != 0;
+    return (table.face(c).queued & bit_of(c)) != 0;
   }
   bool has(Corner c) const {
     return hand_.part == MemorylessQuadricMesh::kEverywhere || mesh_.table().face(c).part == hand_.part;

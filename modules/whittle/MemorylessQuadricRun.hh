@@ -126,7 +126,7 @@ inline void MemorylessQuadricRun::run(std::size_t target_faces, std::size_t targ
   goal_.faces = over(n_faces_, target_faces);
   goal_.vertices = over(n_vertices_, target_vertices);
   goal_.all = goal_.remaining();
-  constexpr std::size_t kFew = 2000;  // edges that are done before another thread has woken up
+  constexpr std::size_t kFew = 400;  // edges that are done before another thread has begun
   plan_.collapses.reserve(goal_.remaining() / 2 + goal_.remaining() / 64 + 1);  // some take one face only
   while (goal_.remaining() > 0) {
     const std::size_t begin = next_bucket();

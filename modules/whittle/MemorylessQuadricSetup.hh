@@ -57,7 +57,10 @@ inline MemorylessQuadricMesh::MemorylessQuadricMesh(MortonOrder order, float min
   if ((order.high - order.low).maxCoeff() > 0) scale_ = (order.high - order.low).maxCoeff();
   table_ = CornerTable(order.triangles, input_.size(), crew);
   for (std::uint32_t v = 0; v < input_.size(); ++v)
-    if (table_.first(v) == kNoCorner) holds_[v] = kUntouchable;
+    if (table_.first(v) == kNoCorner)
+      holds_[v] = kUntouchable;
+    else
+      has_lines_ |= table_.is_open(v);
   cut();
 }
 
@@ -161,7 +164,7 @@ inline void MemorylessQuadricMesh::mark_features(double angle) {
       if (d == kNoCorner || d < c || !(normal(c).dot(normal(d)) < least)) continue;
       table_.set_line(c);
       table_.set_line(d);
-      has_features_ = true;
+      has_features_ = has_lines_ = true;
       for (const std::uint32_t v : {table_.vertex(c), table_.vertex(d)})
         quadrics_[v] += boundary_quadric(edge(c));
     }

@@ -95,6 +95,16 @@ TEST_CASE("the faces at the second end move there") {
   CHECK(changes[2].zz == 1);  // twice the area
 }
 
+TEST_CASE("where all faces are at the first end, the second end does not matter") {
+  // Seen from 1, which lies beyond its far edge, the face would turn over.
+  const std::vector<Ring::Vertex> vertices{{{0, 0, 0}, 0}, {{0, 2, 0}, 0}, {{1, 1, 0}, 0}, {{-1, 1, 0}, 0}};
+  Ring ring;
+  ring.add({2, 3, 0, PackedNormal(Vector3f::UnitZ())});
+  ring.turn_over();
+  CHECK(ring.turn(vertices, 0, 1, {0, 0.1f, 0}, kGuard));
+  CHECK_FALSE(ring.turn(vertices, 0, 1, {0, 1.1f, 0}, kGuard));
+}
+
 TEST_CASE("a face without area may turn anywhere") {
   std::vector<Ring::Vertex> vertices{{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{2, 0, 0}, 0}};
   Ring ring;
