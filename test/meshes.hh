@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "whittle/CollapsePlan.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/plan/CollapsePlan.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace meshes {
 

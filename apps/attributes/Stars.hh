@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::attributes {
 

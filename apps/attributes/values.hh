@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "attributes/Attribute.hh"
-#include "whittle/IndexedMesh.hh"
-#include "whittle/Surface.hh"
+#include "whittle/surface/IndexedMesh.hh"
+#include "whittle/surface/Surface.hh"
 
 namespace whittle::attributes {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "attributes/Attribute.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::files {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "measure/Monitor.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::measure {
 

@@ -7,7 +7,7 @@
 #include "measure/ClosestFace.hh"
 #include "measure/Surface.hh"
 #include "measure/blocks.hh"
-#include "whittle/errors.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle::measure {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "measure/Distance.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::measure {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::measure {
 

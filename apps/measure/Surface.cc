@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "whittle/errors.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle::measure {
 

@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "whittle/IndexedMesh.hh"
-#include "whittle/triangle.hh"
+#include "whittle/surface/IndexedMesh.hh"
+#include "whittle/surface/triangle.hh"
 
 namespace whittle::measure {
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "recipe/Stopwatch.hh"
-#include "whittle/Stages.hh"
 #include "whittle/bulk.hh"
-#include "whittle/execute.hh"
+#include "whittle/plan/Stages.hh"
+#include "whittle/plan/execute.hh"
 
 namespace whittle::recipe {
 

@@ -10,9 +10,9 @@
 #include "recipe/Recipe.hh"
 #include "recipe/Stage.hh"
 #include "recipe/planner.hh"
-#include "whittle/CollapsePlan.hh"
-#include "whittle/IndexedMesh.hh"
-#include "whittle/Surface.hh"
+#include "whittle/plan/CollapsePlan.hh"
+#include "whittle/surface/IndexedMesh.hh"
+#include "whittle/surface/Surface.hh"
 
 namespace whittle::recipe {
 

@@ -3,7 +3,7 @@
 #include "attributes/transfer.hh"
 #include "recipe/Stopwatch.hh"
 #include "recipe/flips.hh"
-#include "whittle/execute.hh"
+#include "whittle/plan/execute.hh"
 
 namespace whittle::recipe {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "recipe/Recipe.hh"
-#include "whittle/CollapsePlan.hh"
+#include "whittle/plan/CollapsePlan.hh"
 
 namespace whittle::recipe {
 

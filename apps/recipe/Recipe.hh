@@ -14,10 +14,10 @@
 
 #include "attributes/Attribute.hh"
 #include "recipe/Spec.hh"
-#include "whittle/CollapsePlan.hh"
 #include "whittle/DelaunayFlips.hh"
-#include "whittle/IndexedMesh.hh"
-#include "whittle/Surface.hh"
+#include "whittle/plan/CollapsePlan.hh"
+#include "whittle/surface/IndexedMesh.hh"
+#include "whittle/surface/Surface.hh"
 
 namespace whittle::recipe {
 

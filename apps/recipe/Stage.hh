@@ -8,7 +8,7 @@
 
 #include "recipe/Recipe.hh"
 #include "recipe/Spec.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::recipe {
 

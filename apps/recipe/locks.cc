@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "recipe/Spec.hh"
-#include "whittle/Surface.hh"
+#include "whittle/surface/Surface.hh"
 
 namespace whittle::recipe {
 namespace {

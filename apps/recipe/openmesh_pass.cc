@@ -21,8 +21,8 @@
 #include "whittle/DelaunayFlips.hh"
 #include "whittle/LazyDecimaterT.hh"
 #include "whittle/ModGuardedQuadricT.hh"
-#include "whittle/ModPlannedT.hh"
 #include "whittle/SweepDecimaterT.hh"
+#include "whittle/openmesh/ModPlannedT.hh"
 
 namespace whittle::recipe {
 namespace {

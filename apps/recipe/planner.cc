@@ -42,14 +42,14 @@ P make_triangle_planner(const Spec& spec) {
   P planner;
   if (spec.word("placement") == "circumcenter") planner.placement = TrianglePlacement::circumcenter;
   if (spec.word("placement") == "quadric") planner.placement = TrianglePlacement::quadric;
-  if constexpr (!std::is_same_v<P, VertexTripletDistance>) planner.order = order_of(spec);
+  if constexpr (!std::is_same_v<P, Vtd>) planner.order = order_of(spec);
   return planner;
 }
 
 Planner make(const Spec& spec, const Scale& scale) {
   if (spec.name == "fad") return make_face_angle(spec);
   if (spec.name == "ss") return make_sphere_scan(spec, scale);
-  if (spec.name == "fass") return Fass{{make_face_angle(spec), make_sphere_scan(spec, scale)}};
+  if (spec.name == "fass") return Fass{make_face_angle(spec), make_sphere_scan(spec, scale)};
   if (spec.name == "vt") return make_triangle_planner<Circumcenter>(spec);
   if (spec.name == "mq") {
     MemorylessQuadric planner;
@@ -62,9 +62,9 @@ Planner make(const Spec& spec, const Scale& scale) {
   }
   const double distance = spec.length("distance", scale).value_or(0);
   if (spec.name == "vtd") {
-    auto planner = make_triangle_planner<VertexTripletDistance>(spec);
+    auto planner = make_triangle_planner<Vtd>(spec);
     planner.max_distance = distance;
-    if (spec.word("fold") == "literal") planner.fold = VertexTripletDistance::Fold::literal;
+    if (spec.word("fold") == "literal") planner.fold = Vtd::Fold::literal;
     return planner;
   }
   auto planner = make_triangle_planner<VertexDistance>(spec);
@@ -82,10 +82,12 @@ std::string shortest(double number) {
 /// Calls `visit` for a planner, or for each planner of a chain.
 template <typename P, typename Visit>
 void for_each_planner(P& planner, Visit visit) {
-  if constexpr (std::is_same_v<P, Fass>)
-    std::apply([&](auto&... part) { (visit(part), ...); }, planner.planners);
-  else
+  if constexpr (std::is_same_v<P, Fass>) {
+    visit(planner.face_angle);
+    visit(planner.sphere_scan);
+  } else {
     visit(planner);
+  }
 }
 
 }  // namespace
@@ -131,8 +133,8 @@ Planner with_threshold(const Planner& planner, double threshold) {
   if (auto* fad = std::get_if<FaceAngle>(&changed)) fad->max_normal_angle = threshold;
   if (auto* ivdd = std::get_if<VertexDistance>(&changed)) ivdd->max_distance = threshold;
   if (auto* ss = std::get_if<SphereScan>(&changed)) ss->radius = threshold;
-  if (auto* vtd = std::get_if<VertexTripletDistance>(&changed)) vtd->max_distance = threshold;
-  if (auto* fass = std::get_if<Fass>(&changed)) std::get<SphereScan>(fass->planners).radius = threshold;
+  if (auto* vtd = std::get_if<Vtd>(&changed)) vtd->max_distance = threshold;
+  if (auto* fass = std::get_if<Fass>(&changed)) fass->sphere_scan.radius = threshold;
   return changed;
 }
 

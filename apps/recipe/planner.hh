@@ -7,19 +7,18 @@
 #include <variant>
 
 #include "recipe/Spec.hh"
-#include "whittle/Chain.hh"
-#include "whittle/Circumcenter.hh"
-#include "whittle/FaceAngle.hh"
-#include "whittle/MemorylessQuadric.hh"
-#include "whittle/SphereScan.hh"
-#include "whittle/VertexDistance.hh"
-#include "whittle/VertexTripletDistance.hh"
+#include "whittle/planners/Circumcenter.hh"
+#include "whittle/planners/FaceAngle.hh"
+#include "whittle/planners/Fass.hh"
+#include "whittle/planners/MemorylessQuadric.hh"
+#include "whittle/planners/SphereScan.hh"
+#include "whittle/planners/VertexDistance.hh"
+#include "whittle/planners/Vtd.hh"
 
 namespace whittle::recipe {
 
-using Fass = Chain<FaceAngle, SphereScan>;
-using Planner = std::variant<FaceAngle, VertexDistance, Circumcenter, SphereScan, VertexTripletDistance, Fass,
-                             MemorylessQuadric>;
+using Planner =
+    std::variant<FaceAngle, VertexDistance, Circumcenter, SphereScan, Vtd, Fass, MemorylessQuadric>;
 
 /// The planner of a spec; its threshold is the default where the spec gives none.
 /// \throw RecipeError  two keys that contradict each other.

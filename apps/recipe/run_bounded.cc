@@ -6,7 +6,7 @@
 
 #include "measure/Excess.hh"
 #include "recipe/run_stages.hh"
-#include "whittle/errors.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle::recipe {
 namespace {

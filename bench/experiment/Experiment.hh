@@ -11,7 +11,7 @@
 #include "render/Renderer.hh"
 #include "results/Results.hh"
 #include "terminal/Progress.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::bench {
 

@@ -2,7 +2,7 @@
 /// A stand-in of the bunny's size for where the bunny cannot be had.
 #pragma once
 
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::bench {
 

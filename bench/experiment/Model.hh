@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "results/Results.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::bench {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/Camera.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::bench {
 

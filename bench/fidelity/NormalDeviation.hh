@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::bench {
 

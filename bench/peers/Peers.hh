@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::bench {
 

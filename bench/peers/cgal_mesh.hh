@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::bench {
 

@@ -2,7 +2,7 @@
 
 #include "measure/MeshFacts.hh"
 #include "speed/peers/peers.hh"
-#include "whittle/errors.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle::speed {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::speed {
 

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "whittle/PlanDraft.hh"
-#include "whittle/errors.hh"
+#include "whittle/plan/PlanDraft.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle {
 

@@ -8,7 +8,7 @@
 #include <queue>
 #include <vector>
 
-#include "whittle/DriverT.hh"
+#include "whittle/openmesh/DriverT.hh"
 
 namespace whittle {
 

@@ -2,8 +2,8 @@
 /// Several planners as one OpenMesh decimater module.
 #pragma once
 
-#include "whittle/Chain.hh"
-#include "whittle/ModPlannedT.hh"
+#include "whittle/openmesh/ModPlannedT.hh"
+#include "whittle/planners/Chain.hh"
 
 namespace whittle {
 

@@ -2,8 +2,8 @@
 /// VT as an OpenMesh decimater module.
 #pragma once
 
-#include "whittle/Circumcenter.hh"
-#include "whittle/ModPlannedT.hh"
+#include "whittle/openmesh/ModPlannedT.hh"
+#include "whittle/planners/Circumcenter.hh"
 
 namespace whittle {
 

@@ -2,8 +2,8 @@
 /// FAD as an OpenMesh decimater module.
 #pragma once
 
-#include "whittle/FaceAngle.hh"
-#include "whittle/ModPlannedT.hh"
+#include "whittle/openmesh/ModPlannedT.hh"
+#include "whittle/planners/FaceAngle.hh"
 
 namespace whittle {
 

@@ -17,7 +17,7 @@
 #include <limits>
 #include <vector>
 
-#include "whittle/errors.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle {
 

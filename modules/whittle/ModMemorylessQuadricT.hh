@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "whittle/MemorylessQuadric.hh"
-#include "whittle/ModPlannedT.hh"
-#include "whittle/attributes.hh"
-#include "whittle/errors.hh"
+#include "whittle/openmesh/ModPlannedT.hh"
+#include "whittle/openmesh/attributes.hh"
+#include "whittle/planners/MemorylessQuadric.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle {
 

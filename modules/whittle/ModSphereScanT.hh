@@ -2,8 +2,8 @@
 /// SS as an OpenMesh decimater module.
 #pragma once
 
-#include "whittle/ModPlannedT.hh"
-#include "whittle/SphereScan.hh"
+#include "whittle/openmesh/ModPlannedT.hh"
+#include "whittle/planners/SphereScan.hh"
 
 namespace whittle {
 

@@ -2,8 +2,8 @@
 /// IVDD as an OpenMesh decimater module.
 #pragma once
 
-#include "whittle/ModPlannedT.hh"
-#include "whittle/VertexDistance.hh"
+#include "whittle/openmesh/ModPlannedT.hh"
+#include "whittle/planners/VertexDistance.hh"
 
 namespace whittle {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "whittle/DriverT.hh"
-#include "whittle/ModPlannedT.hh"
+#include "whittle/openmesh/DriverT.hh"
+#include "whittle/openmesh/ModPlannedT.hh"
 
 namespace whittle {
 

@@ -7,11 +7,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "whittle/CollapsePlan.hh"
-#include "whittle/IndexedMesh.hh"
-#include "whittle/Stages.hh"
-#include "whittle/Surface.hh"
-#include "whittle/execute.hh"
+#include "whittle/plan/CollapsePlan.hh"
+#include "whittle/plan/Stages.hh"
+#include "whittle/plan/execute.hh"
+#include "whittle/surface/IndexedMesh.hh"
+#include "whittle/surface/Surface.hh"
 
 namespace whittle {
 

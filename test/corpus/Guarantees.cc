@@ -4,7 +4,7 @@
 #include <OpenMesh/Core/System/omstream.hh>
 #include <algorithm>
 
-#include "whittle/openmesh.hh"
+#include "whittle/openmesh/convert.hh"
 
 namespace whittle::corpus {
 namespace {

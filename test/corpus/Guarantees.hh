@@ -6,7 +6,7 @@
 
 #include "measure/MeshFacts.hh"
 #include "recipe/Recipe.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::corpus {
 

@@ -2,7 +2,7 @@
 
 #include "catch.hh"
 #include "meshes.hh"
-#include "whittle/errors.hh"
+#include "whittle/surface/errors.hh"
 
 using namespace whittle;
 using namespace whittle::measure;

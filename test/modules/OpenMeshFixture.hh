@@ -10,8 +10,8 @@
 
 #include "catch.hh"
 #include "meshes.hh"
-#include "whittle/execute.hh"
-#include "whittle/openmesh.hh"
+#include "whittle/openmesh/convert.hh"
+#include "whittle/plan/execute.hh"
 
 namespace fixture {
 

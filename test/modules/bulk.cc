@@ -3,10 +3,10 @@
 #include "OpenMeshFixture.hh"
 #include "measure/MeshFacts.hh"
 #include "planners.hh"
-#include "whittle/Circumcenter.hh"
 #include "whittle/ModVertexDistanceT.hh"
 #include "whittle/SweepDecimaterT.hh"
 #include "whittle/compact.hh"
+#include "whittle/planners/Circumcenter.hh"
 
 using namespace whittle;
 using meshes::IndexedMesh;
@@ -88,7 +88,7 @@ TEST_CASE("the result does not depend on the number of threads") {
   const IndexedMesh mesh = meshes::shaken(meshes::torus(240, 120), 0.001, 5);
   SphereScan ss;
   ss.radius = 0.03;
-  VertexTripletDistance vtd;
+  Vtd vtd;
   vtd.max_distance = 0.03;
   check_any_number_of_threads(Circumcenter(), mesh);
   check_any_number_of_threads(FaceAngle(), mesh);

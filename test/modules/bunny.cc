@@ -6,9 +6,9 @@
 #include "measure/MeshFacts.hh"
 #include "meshes.hh"
 #include "planners.hh"
-#include "whittle/Chain.hh"
-#include "whittle/Circumcenter.hh"
-#include "whittle/execute.hh"
+#include "whittle/plan/execute.hh"
+#include "whittle/planners/Chain.hh"
+#include "whittle/planners/Circumcenter.hh"
 
 using namespace whittle;
 using planners::fad, planners::ivdd, planners::ss, planners::vtd;
@@ -133,8 +133,8 @@ TEST_CASE("VTD to the letter without a guard turns faces of the bunny over", "[b
   const IndexedMesh bunny = bunny_or_nothing();
   if (bunny.points.empty()) return;
   const SurfaceT<double> surface(bunny);
-  VertexTripletDistance planner = vtd(0.0013);
-  planner.fold = VertexTripletDistance::Fold::literal;
+  Vtd planner = vtd(0.0013);
+  planner.fold = Vtd::Fold::literal;
   const Outcome guarded(bunny, planner.plan(surface));
   CHECK(guarded.beyond_guard == 0);
   planner.guard.min_cos = -1;

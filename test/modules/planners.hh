@@ -2,10 +2,10 @@
 /// Planners with their one threshold set.
 #pragma once
 
-#include "whittle/FaceAngle.hh"
-#include "whittle/SphereScan.hh"
-#include "whittle/VertexDistance.hh"
-#include "whittle/VertexTripletDistance.hh"
+#include "whittle/planners/FaceAngle.hh"
+#include "whittle/planners/SphereScan.hh"
+#include "whittle/planners/VertexDistance.hh"
+#include "whittle/planners/Vtd.hh"
 
 namespace planners {
 
@@ -15,8 +15,8 @@ inline whittle::VertexDistance ivdd(double distance) {
   return planner;
 }
 
-inline whittle::VertexTripletDistance vtd(double distance) {
-  whittle::VertexTripletDistance planner;
+inline whittle::Vtd vtd(double distance) {
+  whittle::Vtd planner;
   planner.max_distance = distance;
   return planner;
 }

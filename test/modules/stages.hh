@@ -9,8 +9,8 @@
 
 #include "catch.hh"
 #include "meshes.hh"
-#include "whittle/Stages.hh"
-#include "whittle/execute.hh"
+#include "whittle/plan/Stages.hh"
+#include "whittle/plan/execute.hh"
 
 namespace stages {
 

@@ -2,7 +2,7 @@
 #include "measure/Distance.hh"
 #include "meshes.hh"
 #include "recipe/Recipe.hh"
-#include "whittle/errors.hh"
+#include "whittle/surface/errors.hh"
 
 using namespace whittle;
 using namespace whittle::recipe;

@@ -59,16 +59,15 @@ TEST_CASE("every key reaches its planner") {
   const auto ss = std::get<SphereScan>(make_planner(parse_spec("ss:radius=2e,placement=quadric"), kScale));
   CHECK(ss.radius == 1);
   CHECK(ss.placement == SphereScan::Placement::quadric);
-  const auto vtd =
-      std::get<VertexTripletDistance>(make_planner(parse_spec("vtd:distance=1%,fold=literal"), kScale));
+  const auto vtd = std::get<Vtd>(make_planner(parse_spec("vtd:distance=1%,fold=literal"), kScale));
   CHECK(vtd.max_distance == 0.2);
-  CHECK(vtd.fold == VertexTripletDistance::Fold::literal);
+  CHECK(vtd.fold == Vtd::Fold::literal);
   const auto fass =
       std::get<Fass>(make_planner(parse_spec("fass:radius=1,angle=20,boundary=merge,guard=0"), kScale));
-  CHECK(std::get<FaceAngle>(fass.planners).max_normal_angle == 20);
-  CHECK(std::get<SphereScan>(fass.planners).radius == 1);
-  CHECK(std::get<FaceAngle>(fass.planners).boundary == Boundary::merge);
-  CHECK(std::get<SphereScan>(fass.planners).guard.min_cos == 0);
+  CHECK(fass.face_angle.max_normal_angle == 20);
+  CHECK(fass.sphere_scan.radius == 1);
+  CHECK(fass.face_angle.boundary == Boundary::merge);
+  CHECK(fass.sphere_scan.guard.min_cos == 0);
 }
 
 TEST_CASE("what means nothing is refused, and the message names it") {

@@ -4,7 +4,7 @@
 
 #include "catch.hh"
 #include "experiment/GeneratedMesh.hh"
-#include "whittle/errors.hh"
+#include "whittle/surface/errors.hh"
 
 using namespace whittle;
 

@@ -2,7 +2,7 @@
 /// Meshes of one or two triangles whose pictures are known.
 #pragma once
 
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <whittle/PlanDraft.hh>
-#include <whittle/Surface.hh>
+#include <whittle/plan/PlanDraft.hh>
+#include <whittle/surface/Surface.hh>
 
 /// Removes interior vertices with three faces that are lower than `max_height` above the triangle of their
 /// neighbours.
@@ -52,7 +52,7 @@ struct ValenceThree {
 // [/planner]
 
 // [module]
-#include <whittle/ModPlannedT.hh>
+#include <whittle/openmesh/ModPlannedT.hh>
 
 template <typename MeshT>
 class ModValenceThreeT : public whittle::ModPlannedT<MeshT, ValenceThree> {
@@ -103,8 +103,8 @@ std::size_t with_sweep(Mesh& mesh, double max_height) {
 // [/sweep]
 
 // [chain]
-#include <whittle/FaceAngle.hh>
 #include <whittle/ModChainT.hh>
+#include <whittle/planners/FaceAngle.hh>
 
 std::size_t after_face_angle(Mesh& mesh, double max_height) {
   whittle::SweepDecimaterT<Mesh> decimater(mesh);
@@ -120,8 +120,8 @@ std::size_t after_face_angle(Mesh& mesh, double max_height) {
 // [/chain]
 
 // [arrays]
-#include <whittle/IndexedMesh.hh>
-#include <whittle/execute.hh>
+#include <whittle/plan/execute.hh>
+#include <whittle/surface/IndexedMesh.hh>
 
 whittle::IndexedMesh on_arrays(const whittle::IndexedMesh& mesh, double max_height) {
   const whittle::SurfaceT<double> surface(mesh);
@@ -132,7 +132,7 @@ whittle::IndexedMesh on_arrays(const whittle::IndexedMesh& mesh, double max_heig
 
 #include "catch.hh"
 #include "meshes.hh"
-#include "whittle/Chain.hh"
+#include "whittle/planners/Chain.hh"
 
 namespace {
 

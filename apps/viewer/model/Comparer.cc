@@ -7,8 +7,8 @@
 
 #include "measure/Distance.hh"
 #include "measure/Monitor.hh"
-#include "whittle/errors.hh"
-#include "whittle/parallel.hh"
+#include "whittle/surface/errors.hh"
+#include "whittle/surface/parallel.hh"
 
 namespace whittle::viewer {
 namespace {

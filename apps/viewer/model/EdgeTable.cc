@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <thread>
 
-#include "whittle/Surface.hh"
+#include "whittle/surface/Surface.hh"
 
 namespace whittle::viewer {
 namespace {

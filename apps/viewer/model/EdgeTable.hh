@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "whittle/IndexedMesh.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::viewer {
 

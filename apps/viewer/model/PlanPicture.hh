@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "whittle/CollapsePlan.hh"
-#include "whittle/IndexedMesh.hh"
+#include "whittle/plan/CollapsePlan.hh"
+#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::viewer {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "whittle/MemorylessQuadric.hh"
 #include "whittle/bulk.hh"
-#include "whittle/errors.hh"
+#include "whittle/planners/MemorylessQuadric.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle::viewer {
 

@@ -1,7 +1,7 @@
 #include "model/numbers.hh"
 
+#include "cli/report.hh"
 #include "model/RecipeText.hh"
-#include "whittle/report.hh"
 
 namespace whittle::viewer {
 

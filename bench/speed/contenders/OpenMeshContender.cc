@@ -1,7 +1,7 @@
 #include "speed/contenders/OpenMeshContender.hh"
 
 #include "whittle/compact.hh"
-#include "whittle/openmesh.hh"
+#include "whittle/openmesh/convert.hh"
 
 namespace whittle::speed {
 

@@ -4,13 +4,13 @@
 
 #include "recipe/Stopwatch.hh"
 #include "speed/contenders/contenders.hh"
-#include "whittle/Chain.hh"
-#include "whittle/Circumcenter.hh"
-#include "whittle/FaceAngle.hh"
-#include "whittle/SphereScan.hh"
-#include "whittle/VertexDistance.hh"
-#include "whittle/VertexTripletDistance.hh"
-#include "whittle/execute.hh"
+#include "whittle/plan/execute.hh"
+#include "whittle/planners/Chain.hh"
+#include "whittle/planners/Circumcenter.hh"
+#include "whittle/planners/FaceAngle.hh"
+#include "whittle/planners/SphereScan.hh"
+#include "whittle/planners/VertexDistance.hh"
+#include "whittle/planners/Vtd.hh"
 
 namespace whittle::speed {
 namespace {
@@ -60,7 +60,7 @@ std::vector<Entry> bulk_entries(const Subject& subject) {
   ivdd.max_distance = kDistanceInEdges * subject.mean_edge;
   SphereScan ss;
   ss.radius = kRadiusInEdges * subject.mean_edge;
-  VertexTripletDistance vtd;
+  Vtd vtd;
   vtd.max_distance = kDistanceInEdges * subject.mean_edge;
   return {entry("vt", Circumcenter()), entry("fad", FaceAngle()),
           entry("ivdd", ivdd),         entry("ss", ss),

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "speed/contenders/contenders.hh"
-#include "whittle/openmesh.hh"
+#include "whittle/openmesh/convert.hh"
 
 namespace whittle::speed {
 namespace {

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "speed/contenders/contenders.hh"
-#include "whittle/MemorylessQuadric.hh"
 #include "whittle/bulk.hh"
+#include "whittle/planners/MemorylessQuadric.hh"
 
 namespace whittle::speed {
 namespace {

@@ -1,0 +1,130 @@
+#include "cli/RecipeOptions.hh"
+
+#include "recipe/Catalogue.hh"
+#include "recipe/locks.hh"
+
+namespace whittle::cli {
+namespace {
+
+void add_target(CLI::App& command, RecipeOptions& options) {
+  auto* ratio = command.add_option("--ratio", options.ratio, "Keep this part of the faces, between 0 and 1")
+                    ->type_name("R");
+  auto* faces = command.add_option("--faces", options.faces, "Down to at most so many faces");
+  auto* vertices = command.add_option("--vertices", options.vertices, "Down to at most so many vertices");
+  const CLI::Validator count(
+      [](std::string& text) {
+        return text.empty() || text[0] == '-' || text == "0" ? "must be at least 1" : std::string();
+      },
+      "");
+  faces->check(count)->type_name("N");
+  vertices->check(count)->type_name("N");
+  ratio->excludes(faces)->excludes(vertices);
+  faces->excludes(vertices);
+}
+
+/// The importance of each vertex as a factor of thresholds: what counts twice may move half as far.
+std::vector<float> tolerances(const std::string& name, const files::MeshFile& in) {
+  constexpr float kFree = 1e6f;
+  std::vector<float> out;
+  std::string known;
+  for (const auto& attribute : in.attributes) {
+    if (attribute.kind != attributes::Kind::scalar) continue;
+    known += (known.empty() ? "" : ", ") + attribute.name;
+    if (attribute.name != name || !attribute.per_vertex()) continue;
+    for (std::size_t v = 0; v < attribute.n_values(); ++v) {
+      const float weight = *attribute.value(v);
+      if (!(weight >= 0))
+        throw recipe::RecipeError("--weights " + name + ": vertex " + std::to_string(v) +
+                                  " has a weight that is negative or not a number");
+      out.push_back(std::min(kFree, 1 / weight));
+    }
+    return out;
+  }
+  throw recipe::RecipeError("--weights: the mesh has no vertex property '" + name + "'; " +
+                            (known.empty() ? "it has none" : "there are " + known));
+}
+
+}  // namespace
+
+void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_target) {
+  command
+      .add_option("--module", options.modules,
+                  "NAME[:KEY=VALUE,...]; several run one after the other. Default with a target: mq")
+      ->type_name("SPEC")
+      ->take_all()
+      ->expected(1);
+  if (with_target) add_target(command, options);
+  command
+      .add_option(
+          "--max-distance", options.max_distance,
+          "No point of either surface may lie farther than this from the other; kept for every module")
+      ->type_name("LENGTH");
+  command
+      .add_option("--lock", options.locks,
+                  "Keep vertices in place: boundary; feature:DEGREES, at edges sharper than that; "
+                  "selection:FILE, a text file of vertex numbers from 0. May be given several times")
+      ->type_name("WHAT")
+      ->take_all()
+      ->expected(1);
+  command
+      .add_option("--weights", options.weights,
+                  "A vertex property of the file: 1 is neutral, 2 keeps twice as true, 0 does not matter")
+      ->type_name("PROPERTY");
+  command
+      .add_option("--delaunay", options.delaunay,
+                  "Retriangulate at the end, by flips of edges no sharper than DEGREES; 20 keeps the shape")
+      ->type_name("DEGREES");
+  command.add_option("--driver", options.driver, "auto, bulk, sweep, lazy, decimater or mc")
+      ->capture_default_str();
+  command
+      .add_option("--repair", options.repair, "What to do about damage: none, report (say it), fix (mend it)")
+      ->check(CLI::IsMember({"none", "report", "fix"}))
+      ->capture_default_str();
+}
+
+recipe::Recipe make_recipe(const RecipeOptions& options) {
+  recipe::Recipe recipe;
+  for (const std::string& text : options.modules) recipe.modules.push_back(recipe::parse_spec(text));
+  recipe.target = {options.ratio, options.faces, options.vertices};
+  if (!options.max_distance.empty()) try {
+      recipe.max_distance = recipe::parse_length(options.max_distance);
+    } catch (const recipe::RecipeError& error) {
+      throw recipe::RecipeError(std::string("--max-distance: ") + error.what());
+    }
+  if (recipe.modules.empty()) {
+    if (!recipe.target.any() && !recipe.max_distance)
+      throw recipe::RecipeError(
+          "--module is required where neither --ratio, --faces, --vertices nor --max-distance is given");
+    recipe.modules.push_back(recipe::parse_spec("mq"));
+  }
+  recipe.driver = recipe::parse_driver(options.driver);
+  recipe.delaunay = options.delaunay;
+  recipe::check(recipe);
+  for (const std::string& text : options.locks) recipe::parse_lock(text);
+  return recipe;
+}
+
+files::ReadOptions read_options(const RecipeOptions& options) {
+  files::ReadOptions read;
+  read.repair = options.repair == "none"  ? files::Repair::none
+                : options.repair == "fix" ? files::Repair::fix
+                                          : files::Repair::report;
+  return read;
+}
+
+recipe::Givens make_givens(const RecipeOptions& options, const files::MeshFile& in) {
+  recipe::Givens givens;
+  for (const std::string& text : options.locks) recipe::parse_lock(text).apply(in.mesh, givens.flags);
+  if (!options.weights.empty()) givens.tolerance = tolerances(options.weights, in);
+  givens.attributes = &in.attributes;
+  return givens;
+}
+
+std::string recipe_help() {
+  return "A LENGTH is in model units (0.0012), in mean edges (0.8e) or in percent of the bounding box's "
+         "diagonal (0.5%).\n"
+         "With a target and no threshold, the threshold is searched for.\n\nModules:\n" +
+         recipe::catalogue_help();
+}
+
+}  // namespace whittle::cli

@@ -1,0 +1,181 @@
+#include "batch/Batch.hh"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "cli/RecipeOptions.hh"
+#include "cli/commands.hh"
+#include "cli/report.hh"
+#include "terminal/Progress.hh"
+
+namespace whittle::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using batch::Outcome;
+
+struct Options : RecipeOptions {
+  std::string source, out, format;
+  std::size_t jobs = 0;
+  std::optional<double> time_limit;
+  std::optional<std::size_t> memory_limit;
+  bool resume = false, ascii = false, quiet = false, verbose = false;
+};
+
+volatile sig_atomic_t interrupted = 0;
+
+/// The first signal ends the batch in order; a second one is not caught any more.
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = 1; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+/// What `whittle simplify` is to be told, files apart.
+std::vector<std::string> simplify_arguments(const Options& options) {
+  std::vector<std::string> out;
+  const auto add = [&](const char* name, const std::string& value) {
+    if (value.empty()) return;
+    out.push_back(name);
+    out.push_back(value);
+  };
+  const auto add_number = [&](const char* name, const auto& value) {
+    if (value) add(name, Json(*value).dump());
+  };
+  for (const std::string& module : options.modules) add("--module", module);
+  for (const std::string& lock : options.locks) add("--lock", lock);
+  add_number("--ratio", options.ratio);
+  add_number("--faces", options.faces);
+  add_number("--vertices", options.vertices);
+  add_number("--delaunay", options.delaunay);
+  add("--max-distance", options.max_distance);
+  add("--weights", options.weights);
+  add("--driver", options.driver);
+  add("--repair", options.repair);
+  if (options.ascii) out.emplace_back("--ascii");
+  return out;
+}
+
+std::string own_path() {
+  std::array<char, 4096> path{};
+  const ssize_t length = readlink("/proc/self/exe", path.data(), path.size());
+  if (length <= 0 || static_cast<std::size_t>(length) == path.size())
+    throw batch::BatchError("cannot tell where this program is");
+  return {path.data(), static_cast<std::size_t>(length)};
+}
+
+bool is_bad(const Outcome& outcome) {
+  return outcome.status == Outcome::Status::failed || outcome.status == Outcome::Status::missed;
+}
+
+void print_table(const std::vector<batch::Item>& items, const std::vector<Outcome>& outcomes, bool all) {
+  std::printf("%-40s %12s %12s %9s  %s\n", "file", "faces", "left", "seconds", "");
+  std::map<std::string, std::size_t> counts;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Outcome& outcome = outcomes[i];
+    ++counts[batch::to_string(outcome.status)];
+    if (!all && !is_bad(outcome)) continue;
+    std::printf("%-40s %12zu %12zu %9.2f  %s%s%s\n", items[i].in.string().c_str(), outcome.faces_before,
+                outcome.faces_after, outcome.seconds, batch::to_string(outcome.status).c_str(),
+                outcome.message.empty() ? "" : ": ", outcome.message.c_str());
+  }
+  std::printf("%zu meshes:", items.size());
+  for (const auto& [status, count] : counts) std::printf(" %zu %s;", count, status.c_str());
+  std::printf("\n");
+}
+
+int run_batch(const Options& options) {
+  make_recipe(options);  // what is wrong with it is wrong before anything is begun
+  batch::Order order;
+  order.items = batch::list_items(options.source, options.out, options.format);
+  order.out = options.out;
+  order.program = own_path();
+  order.arguments = simplify_arguments(options);
+  order.jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
+  order.limits = {options.time_limit, options.memory_limit};
+  order.resume = options.resume;
+  if (order.items.empty()) throw batch::BatchError(options.source + ": there are no meshes");
+
+  catch_interrupts();
+  terminal::Progress progress(std::cerr, terminal::style_on_stderr(options.quiet));
+  progress.expect(order.items.size());
+  progress.show(0, order.items.size(), "");
+  const auto outcomes = batch::run(
+      order,
+      [&](std::size_t done, const batch::Item& item, const Outcome& outcome) {
+        if (is_bad(outcome)) {
+          progress.clear();
+          complain(item.in.string() + ": " + batch::to_string(outcome.status) +
+                   (outcome.message.empty() ? "" : ": " + outcome.message));
+        }
+        progress.show(done, order.items.size(), item.in.filename().string());
+      },
+      [] { return interrupted != 0; });
+  progress.clear();
+
+  constexpr std::size_t kShort = 40;  // lines: more is told only of what went wrong
+  if (!options.quiet) print_table(order.items, outcomes, options.verbose || outcomes.size() <= kShort);
+  if (interrupted != 0) {
+    complain("interrupted; --resume goes on from here");
+    return 1;
+  }
+  for (const Outcome& outcome : outcomes)
+    if (is_bad(outcome)) return 1;
+  return 0;
+}
+
+}  // namespace
+
+Command add_batch(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("batch", "Simplify many meshes");
+  command
+      ->add_option(
+          "SOURCE", options->source,
+          "A folder, whose meshes are taken with those of the folders in it; or a text file with the "
+          "name of a mesh on each line")
+      ->required();
+  command->add_option("--out", options->out, "Folder for the results; made if missing")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--jobs", options->jobs, "How many meshes at the same time; default: all processors")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
+      ->type_name("N");
+  command
+      ->add_option("--format", options->format, "Write obj, ply, off, stl, om or glb; default: what each was")
+      ->check(CLI::IsMember({"obj", "ply", "off", "stl", "om", "glb"}));
+  command->add_option("--time-limit", options->time_limit, "Give up on a mesh after so long")
+      ->check(CLI::Range(0.001, 1e9))
+      ->type_name("SECONDS");
+  command
+      ->add_option("--memory-limit", options->memory_limit, "Let no mesh take more address space than this")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 40))
+      ->type_name("MIB");
+  command->add_flag("--resume", options->resume,
+                    "Leave out what is done already, with the same options and from the same file");
+  add_recipe_options(*command, *options, true);
+  command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");
+  auto* quiet = command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->add_flag("--verbose", options->verbose, "List every mesh at the end, however many")
+      ->excludes(quiet);
+  command->footer(
+      "Exit codes: 0 all done; 1 a mesh failed or missed its target; 2 bad usage.\n"
+      "Start it as often as you like on the same folders, also on several machines, with --resume: each mesh "
+      "is\n"
+      "done once. A line for each goes to DIR/.whittle/log/*.jsonl.\n\n"
+      "Examples:\n"
+      "  whittle batch scans --out small --ratio 0.1 --jobs 4 --time-limit 600\n"
+      "  whittle batch list.txt --out small --max-distance 0.1% --format glb --resume");
+  return [options] { return run_batch(*options); };
+}
+
+}  // namespace whittle::cli

@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "cli/RecipeOptions.hh"
+#include "cli/commands.hh"
+#include "cli/report.hh"
+#include "recipe/Progression.hh"
+
+namespace whittle::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options : RecipeOptions {
+  std::string in, out, json;
+  std::size_t levels = 5, samples = measure::DistanceOptions().samples;
+  double step = 0.5;
+  bool ascii = false, quiet = false;
+};
+
+struct Level {
+  recipe::Result result;
+  std::size_t wanted;  ///< faces
+  measure::Distance distance;
+  std::string file;
+  bool target_reached() const { return result.target_reached; }
+};
+
+bool is_glb(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".glb";
+}
+
+/// "out/bunny.ply" becomes "out/bunny-lod0.ply", "out/bunny-lod1.ply", and so on.
+std::string file_of(const std::string& out, std::size_t level) {
+  const fs::path path = out;
+  return (path.parent_path() /
+          (path.stem().string() + "-lod" + std::to_string(level) + path.extension().string()))
+      .string();
+}
+
+/// Where the levels go if nobody says: beside the model.
+std::string default_out(const std::string& in) {
+  if (in == "-") throw recipe::RecipeError("--out is required where the model comes from standard input");
+  return in;
+}
+
+/// What the modules are to do for a level of so many faces.
+recipe::Recipe recipe_for(const Options& options, std::size_t faces) {
+  RecipeOptions with_target = options;
+  with_target.faces = faces;
+  return make_recipe(with_target);
+}
+
+/// mq plans once; the other modules plan each level anew, from the input.
+std::vector<Level> make_levels(const Options& options, const files::MeshFile& in) {
+  const recipe::Givens givens = make_givens(options, in);
+  const bool plan_once = options.modules.empty() && options.max_distance.empty() && !options.delaunay &&
+                         options.driver == "auto";
+  std::optional<recipe::Progression> progression;
+  if (plan_once) progression.emplace(in.mesh, givens);
+  std::vector<Level> levels;
+  for (std::size_t i = 1; i < options.levels; ++i) {
+    const double share = std::pow(options.step, static_cast<double>(i));
+    const auto wanted = std::max<std::size_t>(
+        1, static_cast<std::size_t>(share * static_cast<double>(in.mesh.triangles.size())));
+    Level level{
+        progression ? progression->at(wanted) : recipe::run(in.mesh, recipe_for(options, wanted), {}, givens),
+        wanted,
+        {},
+        ""};
+    measure::DistanceOptions sampling;
+    sampling.samples = options.samples;
+    level.distance = measure::distance(in.mesh, level.result.mesh, sampling);
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+Json describe(const Options& options, const files::MeshFile& in, const std::vector<Level>& levels) {
+  Json list = Json::array();
+  list.push_back({{"level", 0},
+                  {"vertices", in.mesh.points.size()},
+                  {"faces", in.mesh.triangles.size()},
+                  {"file", is_glb(options.out) ? options.out : file_of(options.out, 0)}});
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Level& level = levels[i];
+    Json stages = Json::array();
+    for (const auto& stage : level.result.stages) stages.push_back(to_json(stage));
+    list.push_back({{"level", i + 1},
+                    {"vertices", level.result.mesh.points.size()},
+                    {"faces", level.result.mesh.triangles.size()},
+                    {"faces_wanted", level.wanted},
+                    {"target_reached", level.target_reached()},
+                    {"flipped_faces", level.result.flipped_faces},
+                    {"distance", to_json(level.distance)},
+                    {"stages", stages},
+                    {"file", level.file}});
+  }
+  return {{"command", "lods"},
+          {"input", {{"file", options.in}, {"read", to_json(in.report)}}},
+          {"ratio", options.step},
+          {"levels", list}};
+}
+
+void print(const files::MeshFile& in, const std::vector<Level>& levels) {
+  std::printf("%5s %10s %10s %14s %14s  %s\n", "level", "vertices", "faces", "RMS, % of box", "max, % of box",
+              "file");
+  std::printf("%5d %10zu %10zu %14s %14s\n", 0, in.mesh.points.size(), in.mesh.triangles.size(), "0", "0");
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const auto& d = levels[i].distance;
+    std::printf("%5zu %10zu %10zu %14s %14s  %s\n", i + 1, levels[i].result.mesh.points.size(),
+                levels[i].result.mesh.triangles.size(), figure(100 * d.two_sided.rms / d.diagonal).c_str(),
+                figure(100 * d.two_sided.max / d.diagonal).c_str(), levels[i].file.c_str());
+  }
+}
+
+/// \return what the formats could not take.
+std::vector<std::string> write(const Options& options, const files::MeshFile& in,
+                               std::vector<Level>& levels) {
+  if (is_glb(options.out)) {
+    std::vector<files::Level> all{{in.mesh, in.attributes, 0}};
+    for (Level& level : levels) {
+      all.push_back({level.result.mesh, level.result.attributes, level.distance.two_sided.max});
+      level.file = options.out;
+    }
+    return files::write_glb_levels(options.out, all).notes();
+  }
+  files::WriteOptions format;
+  format.ascii = options.ascii;
+  format.single_precision = in.single_precision;
+  std::vector<std::string> notes =
+      files::write_mesh(file_of(options.out, 0), in.mesh, format, in.attributes).notes();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    levels[i].file = file_of(options.out, i + 1);
+    files::write_mesh(levels[i].file, levels[i].result.mesh, format, levels[i].result.attributes);
+  }
+  return notes;
+}
+
+int lods(Options options) {
+  if (options.out.empty()) options.out = default_out(options.in);
+  recipe_for(options, 1);  // what is wrong with it is wrong before anything is read
+  for (std::size_t i = 0; i < (is_glb(options.out) ? 1 : options.levels); ++i)
+    files::check_writable(is_glb(options.out) ? options.out : file_of(options.out, i));
+  check_json_target(options.json);
+  const files::MeshFile in = files::read_mesh(options.in, read_options(options));
+  if (!options.quiet) print_notes(options.in, in.report);
+  std::vector<Level> levels = make_levels(options, in);
+  for (const std::string& note : write(options, in, levels))
+    if (!options.quiet) complain(options.out + ": " + note);
+  write_json(options.json, describe(options, in, levels));
+  if (!options.quiet && options.json != "-") print(in, levels);
+  for (const Level& level : levels)
+    if (!level.target_reached()) {
+      complain("a level has " + std::to_string(level.result.mesh.triangles.size()) + " faces where " +
+               std::to_string(level.wanted) + " were wanted; no further collapse is allowed");
+      return 1;
+    }
+  return 0;
+}
+
+}  // namespace
+
+Command add_lods(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("lods", "Write a chain of levels of detail, with the error of each");
+  command->add_option("MODEL", options->in, "The mesh; it is level 0")->required();
+  command->add_option("--levels", options->levels, "How many, the model included")
+      ->check(CLI::Range(std::size_t{2}, std::size_t{32}))
+      ->capture_default_str();
+  command->add_option("--ratio", options->step, "The faces of a level as a part of the one before")
+      ->check(CLI::Range(0.01, 0.99))
+      ->capture_default_str()
+      ->type_name("R");
+  command
+      ->add_option("--out", options->out,
+                   "NAME.glb: all levels in one file, with MSFT_lod; else one file each, NAME-lod0.ply and "
+                   "so on. Default: beside the model")
+      ->type_name("NAME");
+  add_recipe_options(*command, *options, false);
+  command->add_option("--samples", options->samples, "Sample points on each surface for the errors")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
+      ->capture_default_str();
+  command->add_option("--json", options->json, "Write what was done as JSON to a file, or to stdout for -");
+  command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->footer(recipe_help() +
+                  "\nExamples:\n"
+                  "  whittle lods bunny.obj --levels 5 --ratio 0.5 --out bunny.glb\n"
+                  "  whittle lods bunny.obj --levels 4 --out lods/bunny.ply --lock boundary");
+  return [options] { return lods(*options); };
+}
+
+}  // namespace whittle::cli

@@ -1,0 +1,53 @@
+/// \file
+/// `whittle`: simplify meshes, one or many, measure what was lost, and tell what is in a file.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/commands.hh"
+#include "cli/report.hh"
+#include "version/Version.hh"
+
+namespace {
+
+constexpr int kBadUsage = 2;
+
+int refuse(const std::string& message) {
+  whittle::cli::complain(message);
+  return kBadUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  namespace cli = whittle::cli;
+  try {
+    CLI::App app("Simplifies triangle meshes (OBJ, PLY, OFF, STL, OM, GLB).", "whittle");
+    app.require_subcommand(0, 1);
+    app.set_version_flag("--version", whittle::version::text("whittle"));
+    app.footer(
+        "Exit codes: 0 done; 1 the target was not reached, the mesh is written as far as it came;\n"
+        "2 bad usage or bad input, nothing is written.");
+    const std::vector<std::pair<std::string, cli::Command>> commands{
+        {"simplify", cli::add_simplify(app)}, {"lods", cli::add_lods(app)},
+        {"batch", cli::add_batch(app)},       {"measure", cli::add_measure(app)},
+        {"info", cli::add_info(app)},         {"completion", cli::add_completion(app)},
+        {"manual", cli::add_manual(app)}};
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+      return refuse(error.what());
+    }
+    for (const auto& [name, command] : commands)
+      if (app.got_subcommand(name)) return command();
+    return refuse("no command given; there are simplify, lods, batch, measure and info");
+  } catch (const std::bad_alloc&) {
+    return refuse("not enough memory");
+  } catch (const std::exception& error) {
+    return refuse(error.what());
+  }
+}

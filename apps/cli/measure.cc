@@ -1,0 +1,78 @@
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands.hh"
+#include "cli/report.hh"
+
+namespace whittle::cli {
+namespace {
+
+void print(const measure::MeshFacts& a, const measure::MeshFacts& b, const measure::Distance& d) {
+  std::printf("%-22s %14s %14s\n", "", "original", "simplified");
+  const auto count = [](const char* name, std::size_t x, std::size_t y) {
+    std::printf("%-22s %14zu %14zu\n", name, x, y);
+  };
+  const auto size = [](const char* name, double x, double y) {
+    std::printf("%-22s %14s %14s\n", name, figure(x).c_str(), figure(y).c_str());
+  };
+  count("vertices", a.vertices, b.vertices);
+  count("faces", a.faces, b.faces);
+  count("components", a.components, b.components);
+  std::printf("%-22s %14ld %14ld\n", "Euler characteristic", a.euler_characteristic, b.euler_characteristic);
+  count("boundary edges", a.boundary_edges, b.boundary_edges);
+  count("non-manifold edges", a.nonmanifold_edges, b.nonmanifold_edges);
+  count("degenerate faces", a.degenerate_faces, b.degenerate_faces);
+  size("area", a.area, b.area);
+  size("volume", a.volume, b.volume);
+
+  std::printf("\n%-22s %14s %14s\n", "distance, two-sided", "model units", "% of diagonal");
+  const auto distance = [&](const char* name, double x) {
+    std::printf("%-22s %14s %14s\n", name, figure(x).c_str(), figure(100 * x / d.diagonal).c_str());
+  };
+  distance("RMS", d.two_sided.rms);
+  distance("mean", d.two_sided.mean);
+  distance("max", d.two_sided.max);
+  std::printf("%-22s %14zu   turned by more than 90 degrees against the nearest original face\n",
+              "flipped faces", d.flipped_faces);
+}
+
+}  // namespace
+
+Command add_measure(CLI::App& app) {
+  struct Options {
+    std::string original, simplified, json;
+    std::size_t samples = measure::DistanceOptions().samples;
+    bool quiet = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("measure", "Tell how far a simplified mesh lies from its original");
+  command->add_option("ORIGINAL", options->original, "The mesh before")->required();
+  command->add_option("SIMPLIFIED", options->simplified, "The mesh after")->required();
+  command->add_option("--samples", options->samples, "Sample points on each surface, besides the vertices")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
+      ->capture_default_str();
+  command->add_option("--json", options->json, "Write the figures as JSON to a file, or to stdout for -");
+  command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->footer("Example:\n  whittle measure bunny.ply small.ply");
+  return [options] {
+    check_json_target(options->json);
+    const files::MeshFile original = files::read_mesh(options->original);
+    const files::MeshFile simplified = files::read_mesh(options->simplified);
+    if (!options->quiet) {
+      print_notes(options->original, original.report);
+      print_notes(options->simplified, simplified.report);
+    }
+    measure::DistanceOptions sampling;
+    sampling.samples = options->samples;
+    const measure::Distance distance = measure::distance(original.mesh, simplified.mesh, sampling);
+    const measure::MeshFacts before = measure::facts(original.mesh), after = measure::facts(simplified.mesh);
+    write_json(options->json, {{"command", "measure"},
+                               {"original", {{"file", options->original}, {"mesh", to_json(before)}}},
+                               {"simplified", {{"file", options->simplified}, {"mesh", to_json(after)}}},
+                               {"distance", to_json(distance)}});
+    if (!options->quiet && options->json != "-") print(before, after, distance);
+    return 0;
+  };
+}
+
+}  // namespace whittle::cli

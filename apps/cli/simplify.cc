@@ -1,0 +1,199 @@
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "cli/RecipeOptions.hh"
+#include "cli/commands.hh"
+#include "cli/report.hh"
+
+namespace whittle::cli {
+namespace {
+
+struct Options : RecipeOptions {
+  std::string in, out, json, map, format;
+  bool ascii = false, quiet = false, verbose = false;
+};
+
+Json target_json(const Options& options) {
+  if (options.ratio) return {{"ratio", *options.ratio}};
+  if (options.faces) return {{"faces", *options.faces}};
+  if (options.vertices) return {{"vertices", *options.vertices}};
+  return nullptr;
+}
+
+Json bound_json(const recipe::Recipe& recipe, const IndexedMesh& in, const recipe::Result& result) {
+  if (!recipe.max_distance) return nullptr;
+  const recipe::Scale scale = recipe::measure_scale(in);
+  const double percent = scale.diagonal > 0 ? 100 / scale.diagonal : 0;
+  return {{"bound_units", recipe.max_distance->in(scale)},
+          {"reached_units", *result.distance},
+          {"reached_percent_of_diagonal", *result.distance * percent},
+          {"held", result.bound_held},
+          {"vertices_kept_in_place_for_it", result.held_by_bound},
+          {"stopped_by_it", result.stopped_by_bound}};
+}
+
+Json delaunay_json(const Options& options, const recipe::Result& result) {
+  if (!options.delaunay) return nullptr;
+  return {{"max_dihedral_degrees", *options.delaunay},
+          {"edges_flipped", result.delaunay.flipped},
+          {"edges_refused_by_guard", result.delaunay.refused_by_guard},
+          {"edges_refused_by_topology", result.delaunay.refused_by_topology},
+          {"converged", result.delaunay.converged},
+          {"dropped_for_the_bound", result.retriangulation_dropped}};
+}
+
+Json names(const attributes::Attributes& attributes) {
+  Json out = Json::array();
+  for (const auto& attribute : attributes) out.push_back(attributes::to_string(attribute));
+  return out;
+}
+
+Json describe(const Options& options, const recipe::Recipe& recipe, const files::MeshFile& in,
+              const recipe::Result& result, const files::WriteReport& written) {
+  Json stages = Json::array();
+  for (const recipe::StageResult& stage : result.stages) stages.push_back(to_json(stage));
+  return {{"command", "simplify"},
+          {"input",
+           {{"file", options.in},
+            {"vertices", in.mesh.points.size()},
+            {"faces", in.mesh.triangles.size()},
+            {"attributes", names(in.attributes)},
+            {"read", to_json(in.report)}}},
+          {"output",
+           {{"file", options.out},
+            {"vertices", result.mesh.points.size()},
+            {"faces", result.mesh.triangles.size()},
+            {"attributes_left_out", written.left_out},
+            {"reduced", written.reduced}}},
+          {"locks", options.locks},
+          {"vertices_locked", result.held},
+          {"weights", options.weights.empty() ? Json(nullptr) : Json(options.weights)},
+          {"stages", stages},
+          {"delaunay", delaunay_json(options, result)},
+          {"target", target_json(options)},
+          {"target_reached", result.target_reached},
+          {"target_missed_because", recipe::reasons(recipe, result)},
+          {"max_distance", bound_json(recipe, in.mesh, result)},
+          {"flipped_faces", result.flipped_faces},
+          {"nonmanifold_faces_dropped", result.refused_faces}};
+}
+
+void print(const Options& options, const files::MeshFile& in, const recipe::Result& result) {
+  const double before = static_cast<double>(in.mesh.triangles.size());
+  const double after = static_cast<double>(result.mesh.triangles.size());
+  double seconds = 0;
+  for (const auto& stage : result.stages) seconds += stage.plan_seconds + stage.execute_seconds;
+  std::printf("%s: %zu faces of %zu left (%.1f %% removed), %zu vertices, %zu flipped, %.1f ms\n",
+              options.out.c_str(), result.mesh.triangles.size(), in.mesh.triangles.size(),
+              before > 0 ? 100 * (1 - after / before) : 0, result.mesh.points.size(), result.flipped_faces,
+              seconds * 1e3);
+  if (result.distance) std::printf("  distance to the input: %s\n", figure(*result.distance).c_str());
+  if (!options.verbose) return;
+  for (const auto& stage : result.stages) {
+    std::printf("  %s: %zu to %zu faces, driver %s, %zu passes, plan %.1f ms, execute %.1f ms\n",
+                stage.module.c_str(), stage.faces_before, stage.faces_after,
+                recipe::to_string(stage.driver).c_str(), stage.passes, stage.plan_seconds * 1e3,
+                stage.execute_seconds * 1e3);
+    std::printf("    refused: %zu by the flip guard, %zu by the link condition, %zu by the driver\n",
+                stage.record.refused_by_flip_guard, stage.record.refused_by_link, stage.refused_by_decimater);
+  }
+  if (result.held > 0) std::printf("  %zu vertices locked\n", result.held);
+  if (result.held_by_bound > 0)
+    std::printf("  %zu vertices kept in place for the bound's sake\n", result.held_by_bound);
+}
+
+/// Line v says which vertex of the result vertex v of the input became; both count from 0.
+void write_map(const std::string& path, const recipe::Result& result) {
+  std::string text;
+  for (const std::uint32_t v : result.vertex_map) text += std::to_string(v) + "\n";
+  files::write_file(path, text);
+}
+
+void warn(const Options& options, const recipe::Result& result, const files::WriteReport& written) {
+  if (options.quiet) return;
+  if (result.refused_faces > 0)
+    complain(options.in + ": " + std::to_string(result.refused_faces) +
+             " faces are not manifold and were left out; the driver bulk keeps them");
+  for (const std::string& note : written.notes()) complain(options.out + ": " + note);
+  if (result.retriangulation_dropped)
+    complain("the Delaunay retriangulation would break the bound on the distance and was left out");
+}
+
+int complain_about_misses(const recipe::Recipe& recipe, const recipe::Result& result) {
+  int code = 0;
+  if (!result.bound_held) {
+    complain("the bound on the distance could not be kept: " + figure(*result.distance) +
+             " units; faces that OpenMesh cannot take are missing");
+    code = 1;
+  }
+  if (!result.target_reached) {
+    std::string why;
+    for (const std::string& reason : recipe::reasons(recipe, result))
+      why += (why.empty() ? "" : "; ") + reason;
+    complain("the target was not reached: " + std::to_string(result.mesh.triangles.size()) + " faces and " +
+             std::to_string(result.mesh.points.size()) + " vertices are left; " + why);
+    code = 1;
+  }
+  return code;
+}
+
+int simplify(Options options) {
+  const recipe::Recipe recipe = make_recipe(options);
+  files::WriteOptions format;
+  format.ascii = options.ascii;
+  format.format = options.format;
+  files::check_writable(options.out, format);
+  check_json_target(options.json);
+  if (!options.map.empty()) files::check_creatable(options.map);
+  const bool stdout_is_taken = options.json == "-" || options.out == "-";
+  if (options.json == "-" && options.out == "-")
+    throw recipe::RecipeError("--json - and the mesh cannot both go to standard output");
+
+  const files::MeshFile in = files::read_mesh(options.in, read_options(options));
+  if (!options.quiet) print_notes(options.in, in.report);
+  const recipe::Result result = recipe::run(in.mesh, recipe, {}, make_givens(options, in));
+
+  format.single_precision = in.single_precision;
+  const files::WriteReport written = files::write_mesh(options.out, result.mesh, format, result.attributes);
+  if (!options.map.empty()) write_map(options.map, result);
+  write_json(options.json, describe(options, recipe, in, result, written));
+  warn(options, result, written);
+  if (!options.quiet && !stdout_is_taken) print(options, in, result);
+  return complain_about_misses(recipe, result);
+}
+
+}  // namespace
+
+Command add_simplify(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("simplify", "Simplify a mesh file");
+  command->add_option("IN", options->in, "The mesh to simplify; - is standard input")->required();
+  command
+      ->add_option("OUT", options->out,
+                   "Where the result goes; the extension says the format; - is standard output")
+      ->required();
+  add_recipe_options(*command, *options, true);
+  command
+      ->add_option("--format", options->format, "Write obj, ply, off, stl, om or glb, whatever OUT is called")
+      ->type_name("NAME");
+  command->add_option("--json", options->json, "Write what was done as JSON to a file, or to stdout for -");
+  command->add_option("--map", options->map,
+                      "Write to a file, a line for each vertex of the input, which vertex it became");
+  command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");
+  auto* quiet = command->add_flag("--quiet", options->quiet, "Print nothing but errors");
+  command->add_flag("--verbose", options->verbose, "Print what each stage did")->excludes(quiet);
+  command->footer(
+      recipe_help() +
+      "\nExamples:\n"
+      "  whittle simplify bunny.obj small.ply --ratio 0.1\n"
+      "  whittle simplify bunny.obj small.ply --module ivdd:distance=0.0011\n"
+      "  whittle simplify bunny.obj small.ply --module fad:angle=30 --module ivdd:distance=0.8e\n"
+      "  whittle simplify bunny.obj half.ply --module ivdd --ratio 0.5\n"
+      "  whittle simplify scan.ply small.ply --max-distance 0.1% --lock boundary --lock feature:40\n"
+      "  whittle simplify bunny.obj half.ply --module quadric --module normal-flipping:angle=60 --ratio 0.5\n"
+      "  zcat scan.ply.gz | whittle simplify - - --format glb --faces 20000 > small.glb");
+  return [options] { return simplify(*options); };
+}
+
+}  // namespace whittle::cli

@@ -1,0 +1,137 @@
+/// \file
+/// Four numbers, vectors or symmetric matrices that are computed with at once.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+#include "whittle/mq/SymmetricMatrix.hh"
+
+namespace whittle {
+
+/// Eigen makes vector instructions of it where the processor has them; the results are the same anywhere, to
+/// the bit, as long as nothing but + - * / and comparisons are used.
+using Four = Eigen::Array4f;
+
+/// Four vectors, by coordinate.
+class FourVectors {
+ public:
+  using Scalar = Four;
+
+  FourVectors() = default;  ///< any
+  FourVectors(const Four& x, const Four& y, const Four& z) : x_(x), y_(y), z_(z) {}
+
+  const Four& x() const { return x_; }
+  const Four& y() const { return y_; }
+  const Four& z() const { return z_; }
+
+  friend FourVectors operator+(const FourVectors& a, const FourVectors& b) {
+    return {a.x_ + b.x_, a.y_ + b.y_, a.z_ + b.z_};
+  }
+  friend FourVectors operator-(const FourVectors& a, const FourVectors& b) {
+    return {a.x_ - b.x_, a.y_ - b.y_, a.z_ - b.z_};
+  }
+  friend FourVectors operator*(const Four& s, const FourVectors& a) { return {s * a.x_, s * a.y_, s * a.z_}; }
+  Four dot(const FourVectors& b) const { return x_ * b.x_ + (y_ * b.y_ + z_ * b.z_); }
+  Four squaredNorm() const { return dot(*this); }
+  FourVectors cross(const FourVectors& b) const {
+    return {y_ * b.z_ - z_ * b.y_, z_ * b.x_ - x_ * b.z_, x_ * b.y_ - y_ * b.x_};
+  }
+
+ private:
+  Four x_, y_, z_;
+};
+
+using FourMatrices = SymmetricMatrixOf<FourVectors>;
+
+/// Vectors shorter than this have squares that floats cannot tell from 0.
+constexpr float kLeastLength = 1e-18f;
+
+/// 1 / |v| for vectors with these squares, and no more than that of `kLeastLength`.
+EIGEN_ALWAYS_INLINE Four reciprocal_lengths(const Four& squares) {
+  // Not by `squares.sqrt()`, which is an approximation that differs between processors.
+#if defined(__SSE__)
+  Four lengths;
+  _mm_storeu_ps(lengths.data(), _mm_sqrt_ps(_mm_loadu_ps(squares.data())));
+#else
+  const Four lengths(std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2]),
+                     std::sqrt(squares[3]));
+#endif
+  return 1 / lengths.max(kLeastLength);
+}
+
+/// From four rows of four floats to the four columns, or back.
+EIGEN_ALWAYS_INLINE std::array<Four, 4> transposed(const std::array<const float*, 4>& rows) {
+  Eigen::Matrix4f m;
+  for (int i = 0; i < 4; ++i) m.col(i) = Eigen::Map<const Eigen::Vector4f>(rows[static_cast<std::size_t>(i)]);
+  m.transposeInPlace();
+  return {m.col(0), m.col(1), m.col(2), m.col(3)};
+}
+EIGEN_ALWAYS_INLINE Eigen::Matrix4f transposed(const Four& a, const Four& b, const Four& c, const Four& d) {
+  Eigen::Matrix4f m;
+  m << a.matrix(), b.matrix(), c.matrix(), d.matrix();
+  m.transposeInPlace();
+  return m;
+}
+
+/// Four vectors that lie anywhere, each with a float after it.
+EIGEN_ALWAYS_INLINE FourVectors gathered(const std::array<const float*, 4>& vectors) {
+  const auto columns = transposed(vectors);
+  return {columns[0], columns[1], columns[2]};
+}
+/// Four matrices that lie anywhere.
+EIGEN_ALWAYS_INLINE FourMatrices gathered(const std::array<const SymmetricMatrix*, 4>& m) {
+  std::array<const float*, 4> head, tail;  // xx xy xz yy and xz yy yz zz
+  for (std::size_t i = 0; i < 4; ++i) {
+    head[i] = &m[i]->xx;
+    tail[i] = &m[i]->xz;
+  }
+  const auto first = transposed(head), last = transposed(tail);
+  return {first[0], first[1], first[2], first[3], last[2], last[3]};
+}
+
+/// The other way round.
+EIGEN_ALWAYS_INLINE std::array<SymmetricMatrix, 4> apart(const FourMatrices& m) {
+  const Eigen::Matrix4f head = transposed(m.xx, m.xy, m.xz, m.yy);
+  std::array<SymmetricMatrix, 4> matrices;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    Eigen::Vector4f::Map(&matrices[i].xx) = head.col(k);
+    matrices[i].yz = m.yz[k];
+    matrices[i].zz = m.zz[k];
+  }
+  return matrices;
+}
+
+/// Hands things over four at a time, and how many of them; the last ones are filled up with copies.
+template <typename Item, typename Take>
+class InFours {
+ public:
+  explicit InFours(Take take) : take_(std::move(take)) {}
+
+  void add(const Item& item) {
+    items_[n_++] = item;
+    if (n_ == 4) flush();
+  }
+  /// To be called at the end.
+  void flush() {
+    if (n_ == 0) return;
+    std::fill(items_.begin() + n_, items_.end(), items_[0]);
+    take_(items_, n_);
+    n_ = 0;
+  }
+
+ private:
+  Take take_;
+  std::array<Item, 4> items_{};
+  std::ptrdiff_t n_ = 0;
+};
+
+}  // namespace whittle

@@ -1,0 +1,123 @@
+/// \file
+/// The faces around an edge that stay when it collapses, and what becomes of them.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "whittle/mq/CornerTable.hh"
+#include "whittle/mq/Four.hh"
+#include "whittle/mq/PackedNormal.hh"
+#include "whittle/mq/SymmetricMatrix.hh"
+
+namespace whittle {
+
+/// Collects the faces around the two ends, then turns them, four at a time.
+class MemorylessQuadricRing {
+ public:
+  using Vec = Eigen::Vector3f;
+  struct Vertex {
+    Vec position;
+    std::uint32_t mark;  ///< for the mesh; four floats are read where three are meant
+  };
+  /// A face that stays, with its vertices counter-clockwise: the one that moves, and these.
+  struct Side {
+    std::uint32_t from, to;
+    Corner corner;        ///< the one that moves
+    PackedNormal normal;  ///< of the face in the input
+  };
+
+  void clear() { n_ = 0; }
+  void add(const Side& side) {
+    if (n_ + 3 >= room_) sides_.resize(room_ = 2 * n_ + 8);
+    sides_[n_++] = side;
+  }
+  /// From here on faces at the other end are added.
+  void turn_over() { n_at_start_ = n_; }
+  std::size_t n_at_start() const { return n_at_start_; }
+  std::size_t size() const { return n_; }
+  const Side* begin() const { return sides_.data(); }
+  const Side* end() const { return sides_.data() + n_; }
+
+  /// Moves the corners, at the one end and at the other, to `target`.
+  /// \param limit  the least cosine between a face's normals before and after, squared with its sign.
+  /// \return  whether no face turns too far, against its normal before or that in the input.
+  bool turn(const std::vector<Vertex>& vertices, std::uint32_t start, std::uint32_t end, const Vec& target,
+            float limit);
+
+  /// Calls `add(vertex, quadric)` for what the faces' turning changes at the two vertices that do not move.
+  /// \return  the sum of the turned faces' quadrics: what is now around the one that does
+  template <typename Add>
+  SymmetricMatrix update(Add add) const;
+
+ private:
+  /// Four faces' normals, twice their areas long, with the squares of their lengths.
+  struct Turn {
+    FourVectors before, after;
+    Four before_square, after_square;
+  };
+  /// Faces may turn so much less than 90 degrees against their packed normal in the input.
+  static constexpr float kUpright = 1e-4f * PackedNormal::kLength * PackedNormal::kLength;
+
+  std::vector<Side> sides_;
+  std::size_t room_ = 0, n_ = 0, n_at_start_ = 0;  // room for sides and three more
+  std::vector<Turn> turns_;
+};
+
+inline bool MemorylessQuadricRing::turn(const std::vector<Vertex>& vertices, std::uint32_t start,
+                                        std::uint32_t end, const Vec& target, float limit) {
+  if (n_ == 0) return true;
+  if (turns_.size() < (n_ + 3) / 4) turns_.resize((n_ + 3) / 4);
+  std::fill_n(sides_.begin() + static_cast<std::ptrdiff_t>(n_), 3, sides_[n_ - 1]);  // may be turned too
+  const FourVectors there(Four(target.x()), Four(target.y()), Four(target.z()));
+  for (std::size_t i = 0; i < n_; i += 4) {
+    std::array<const float*, 4> moving, from, to;
+    Eigen::Array<std::uint32_t, 4, 1> normals;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Side& side = sides_[i + k];
+      moving[k] = vertices[i + k < n_at_start_ ? start : end].position.data();
+      from[k] = vertices[side.from].position.data();
+      to[k] = vertices[side.to].position.data();
+      normals[static_cast<Eigen::Index>(k)] = side.normal.bits();
+    }
+    const FourVectors p = gathered(moving), q = gathered(from), r = gathered(to),
+                      input = PackedNormal::unpacked(normals);
+    Turn& turn = turns_[i / 4];
+    turn.before = (q - p).cross(r - p);
+    turn.after = (q - there).cross(r - there);
+    turn.before_square = turn.before.squaredNorm();
+    turn.after_square = turn.after.squaredNorm();
+    const Four cosine = turn.before.dot(turn.after), overall = input.dot(turn.after);
+    const Four guard = cosine * cosine.abs() - limit * turn.before_square * turn.after_square;
+    const Four upright = overall * overall.abs() - kUpright * turn.after_square;
+    if (!(guard.min(upright).minCoeff() > 0))
+      for (Eigen::Index k = 0; k < std::min<Eigen::Index>(4, static_cast<Eigen::Index>(n_ - i)); ++k)
+        if ((turn.before_square[k] > 0 && !(guard[k] > 0)) || (normals[k] != 0 && !(upright[k] > 0)))
+          return false;
+  }
+  return true;
+}
+
+template <typename Add>
+SymmetricMatrix MemorylessQuadricRing::update(Add add) const {
+  SymmetricMatrix sum;
+  for (std::size_t i = 0; i < n_; i += 4) {
+    const Turn& turn = turns_[i / 4];
+    const FourMatrices before = FourMatrices::outer(turn.before, reciprocal_lengths(turn.before_square)),
+                       after = FourMatrices::outer(turn.after, reciprocal_lengths(turn.after_square));
+    const auto changes = apart(after - before), now = apart(after);
+    for (std::size_t k = 0; k < std::min<std::size_t>(4, n_ - i); ++k) {
+      sum += now[k];
+      add(sides_[i + k].from, changes[k]);
+      add(sides_[i + k].to, changes[k]);
+    }
+  }
+  return sum;
+}
+
+}  // namespace whittle

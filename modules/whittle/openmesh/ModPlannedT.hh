@@ -1,0 +1,248 @@
+/// \file
+/// What all of Whittle's decimater modules share: a plan, looked up collapse by collapse.
+#pragma once
+
+#include <OpenMesh/Core/Utils/Property.hh>
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "whittle/openmesh/attributes.hh"
+#include "whittle/openmesh/convert.hh"
+#include "whittle/plan/CollapsePlan.hh"
+#include "whittle/plan/Stages.hh"
+
+namespace whittle {
+
+/// A module that has a plan; through it a driver such as SweepDecimaterT gets at the plan of any module.
+class PlannedModule {
+ public:
+  virtual ~PlannedModule() = default;
+  /// The plan for the mesh as it is; made at the first call, and anew when a parameter or the mesh has
+  /// changed.
+  virtual const CollapsePlan& plan() = 0;
+};
+
+/// What has become of a plan in a decimater.
+struct PlanOutcome {
+  std::size_t planned = 0;   ///< collapses in the plan
+  std::size_t executed = 0;  ///< of them
+  std::size_t illegal = 0;   ///< not executed, and OpenMesh finds them illegal now
+  std::size_t apart =
+      0;  ///< not executed, and their vertices share no edge, for an earlier collapse is missing
+  std::size_t left =
+      0;  ///< the rest: forbidden by another module, not selected, or the decimater stopped before
+};
+
+/// An OpenMesh decimater module over a planner. `initialize()` takes a snapshot of the mesh and plans on it;
+/// `collapse_priority()` is a look-up in that plan, so it cannot go stale while the mesh is decimated.
+///
+/// - As the priority module it allows just the planned collapses, in the order of the plan. In binary mode it
+///   forbids every collapse that is not planned.
+/// - Vertices with status locked or feature, and those on a seam of half-edge texture coordinates, stay.
+/// - A survivor's normal, colour and texture coordinates are blended from the vertices that merged, face
+/// normals are
+///   refreshed. Other properties stay as they are, and the mesh gets none.
+/// - OpenMesh's decimaters initialise their modules once. For another pass call `initialize()` of the module
+///   itself. After a garbage collection the plan is made anew without being asked.
+/// - `set_error_tolerance_factor(f)` multiplies the planner's threshold by f.
+///
+/// \tparam Planner  has `validate()`, `scaled(factor)` and `plan(surface)`, as FaceAngle.
+template <typename MeshT, typename Planner>
+class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedModule {
+ public:
+  using ModBase = OpenMesh::Decimater::ModBaseT<MeshT>;
+  using CollapseInfo = OpenMesh::Decimater::CollapseInfoT<MeshT>;
+
+  explicit ModPlannedT(MeshT& mesh) : ModBase(mesh, false) {}
+
+  const Planner& planner() const { return planner_; }
+
+  /// Sets all parameters at once.
+  /// \throw InvalidParameter  and the old parameters stay.
+  void set_planner(const Planner& planner) {
+    planner.validate();
+    planner_ = planner;
+    forget();
+  }
+
+  /// How often the planner is run, each time on what the last one leaves; kUntilRest until nothing changes.
+  /// All passes are one plan, and the flip guard judges all of them by the input's normals. From 1;
+  /// default 1.
+  /// \throw InvalidParameter
+  void set_passes(std::size_t passes) {
+    if (passes == 0) throw InvalidParameter("the number of passes must be at least 1");
+    passes_ = passes;
+    forget();
+  }
+  static constexpr std::size_t kUntilRest = ~std::size_t{0};
+
+  /// A factor of the threshold for each vertex: 0 keeps the vertex, 1 is neutral, 2 doubles the length or
+  /// angle. Where a threshold concerns several vertices, the least factor counts. An invalid handle takes it
+  /// back.
+  void set_tolerance(OpenMesh::VPropHandleT<float> tolerance) {
+    tolerance_ = tolerance;
+    forget();
+  }
+
+  /// Plans for the mesh as it is now.
+  /// \throw InvalidMesh       a face is not a triangle, a coordinate is not finite.
+  /// \throw InvalidParameter  a tolerance is negative or not finite.
+  void initialize() override {
+    const MeshT& mesh = this->mesh();
+    const auto indexed = to_indexed(mesh);
+    SurfaceExtras extras;
+    extras.flags = user_flags(mesh);
+    if (tolerance_.is_valid())
+      for (std::size_t v = 0; v < mesh.n_vertices(); ++v)
+        extras.tolerance.push_back(
+            mesh.property(tolerance_, typename MeshT::VertexHandle(static_cast<int>(v))));
+    describe(mesh, extras);
+    const SurfaceT<typename MeshT::Scalar> surface(indexed, std::move(extras));
+    const auto never = [](const auto&) { return false; };
+    plan_ = plan_passes(planner_.scaled(this->error_tolerance_factor_), surface, passes_, never).plan;
+    rank_.assign(indexed.points.size(), kNotPlanned);
+    for (std::size_t i = 0; i < plan_.collapses.size(); ++i)
+      rank_[plan_.collapses[i].from] = static_cast<std::uint32_t>(i);
+    executed_.assign(plan_.collapses.size(), false);
+    placed_by_.assign(indexed.points.size(), 0);
+    n_planned_vertices_ = indexed.points.size();
+  }
+
+  const CollapsePlan& plan() override {
+    if (n_planned_vertices_ != this->mesh().n_vertices()) initialize();
+    return plan_;
+  }
+
+  float collapse_priority(const CollapseInfo& ci) override {
+    const Collapse* collapse = planned(ci);
+    if (!collapse) return float(ModBase::ILLEGAL_COLLAPSE);
+    return this->is_binary() ? float(ModBase::LEGAL_COLLAPSE) : priority(rank_[collapse->from]);
+  }
+
+  void preprocess_collapse(const CollapseInfo& ci) override {
+    if (planned(ci)) corners_.before(this->mesh(), ci.v0v1);
+  }
+
+  /// Moves the survivor to its target. OpenMesh refreshes face normals before this call, hence once more
+  /// here.
+  void postprocess_collapse(const CollapseInfo& ci) override {
+    const Collapse* collapse = planned(ci);
+    if (!collapse) return;
+    const std::uint32_t rank = rank_[collapse->from];
+    executed_[rank] = true;
+    auto& mesh = this->mesh();
+    if (collapse->share > 0) blend_vertex_attributes(mesh, ci.v0, ci.v1, collapse->share);
+    corners_.after(mesh, ci.v1, collapse->share);
+
+    // A decimater that does not go by rank may come to a stage's collapse after those of a later stage.
+    std::uint32_t& placed_by = placed_by_[collapse->to];
+    if (rank < placed_by) return;
+    placed_by = rank;
+    auto p = mesh.point(ci.v1);
+    bool moved = false;
+    for (int i = 0; i < 3; ++i) {
+      const auto coordinate = static_cast<typename MeshT::Scalar>(collapse->target[i]);
+      moved |= p[i] != coordinate;
+      p[i] = coordinate;
+    }
+    if (!moved) return;
+    mesh.set_point(ci.v1, p);
+    if (!mesh.has_face_normals()) return;
+    for (auto f = mesh.cvf_iter(ci.v1); f.is_valid(); ++f) mesh.set_normal(*f, mesh.calc_face_normal(*f));
+  }
+
+  /// What has become of the plan. Ask before garbage collection, while the mesh has vertex and edge status.
+  PlanOutcome outcome() {
+    PlanOutcome out;
+    out.planned = plan().collapses.size();
+    for (std::size_t i = 0; i < out.planned; ++i) {
+      const auto edge =
+          this->mesh().find_halfedge(vertex(plan_.collapses[i].from), vertex(plan_.collapses[i].to));
+      if (executed_[i])
+        ++out.executed;
+      else if (!edge.is_valid())
+        ++out.apart;
+      else if (!this->mesh().is_collapse_ok(edge))
+        ++out.illegal;
+      else
+        ++out.left;
+    }
+    return out;
+  }
+
+  /// For each vertex of the mesh the vertex that it has become; itself if it still stands. Indices are those
+  /// before garbage collection.
+  std::vector<int> vertex_map() {
+    plan();
+    std::vector<int> map(this->mesh().n_vertices());
+    std::iota(map.begin(), map.end(), 0);
+    for (std::size_t i = plan_.collapses.size(); i-- > 0;)
+      if (executed_[i]) map[plan_.collapses[i].from] = map[plan_.collapses[i].to];
+    return map;
+  }
+
+  void set_error_tolerance_factor(double factor) override {
+    const double before = this->error_tolerance_factor_;
+    ModBase::set_error_tolerance_factor(factor);
+    if (this->error_tolerance_factor_ != before) forget();
+  }
+
+ protected:
+  /// Adds what else the planner is to know of the mesh.
+  virtual void describe(const MeshT& /*mesh*/, SurfaceExtras& /*extras*/) const {}
+
+  /// Plans anew when next asked.
+  void forget() { n_planned_vertices_ = kNoPlan; }
+
+  /// Changes one parameter: `change([&](Planner& p) { p.max_distance = d; })`.
+  template <typename Change>
+  void change(Change&& change) {
+    Planner planner = planner_;
+    std::forward<Change>(change)(planner);
+    set_planner(planner);
+  }
+
+ private:
+  static constexpr std::uint32_t kNotPlanned = 0xffffffffu;
+  static constexpr std::size_t kNoPlan = ~std::size_t{0};
+
+  static typename MeshT::VertexHandle vertex(std::uint32_t v) {
+    return typename MeshT::VertexHandle(static_cast<int>(v));
+  }
+
+  const Collapse* planned(const CollapseInfo& ci) {
+    plan();
+    const std::uint32_t rank = rank_[static_cast<std::size_t>(ci.v0.idx())];
+    if (rank == kNotPlanned || plan_.collapses[rank].to != static_cast<std::uint32_t>(ci.v1.idx()))
+      return nullptr;
+    return &plan_.collapses[rank];
+  }
+
+  /// A float for a rank. As numbers, floats are exact to 2^24 only; positive floats are ordered as their bits
+  /// are, which gives more than 2^30 of them. The first is the smallest normal one, for denormals may be
+  /// flushed to 0.
+  static float priority(std::uint32_t rank) {
+    const std::uint32_t bits = 0x00800000u + rank;
+    float value = 0;
+    static_assert(sizeof value == sizeof bits);
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+  }
+
+  Planner planner_;
+  std::size_t passes_ = 1;
+  OpenMesh::VPropHandleT<float> tolerance_;
+  CollapsePlan plan_;
+  std::vector<std::uint32_t> rank_;       // of the collapse that removes a vertex
+  std::vector<bool> executed_;            // for each collapse of the plan
+  std::vector<std::uint32_t> placed_by_;  // for each survivor the highest rank that has moved it
+  CornerAttributes<MeshT> corners_;
+  std::size_t n_planned_vertices_ = kNoPlan;
+};
+
+}  // namespace whittle

@@ -1,0 +1,71 @@
+/// \file
+/// The bulk executor: a plan carried out on flat arrays in one go.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "whittle/plan/CollapsePlan.hh"
+#include "whittle/surface/IndexedMesh.hh"
+
+namespace whittle {
+
+/// A mesh after a plan, and where its parts come from.
+template <typename Real>
+struct ExecutedT {
+  IndexedMeshT<Real> mesh;                 ///< vertices and faces in their old order
+  std::vector<std::uint32_t> vertex_map;   ///< for each old vertex the new vertex that it became
+  std::vector<std::uint32_t> face_origin;  ///< for each new face the old face that it was
+  std::vector<bool> survives;              ///< for each old vertex whether it still stands, moved or not
+};
+
+/// Carries out the first `n_collapses` of a plan, all by default. The plan must have been made for this mesh.
+template <typename Real>
+ExecutedT<Real> execute(const CollapsePlan& plan, const IndexedMeshT<Real>& mesh,
+                        std::size_t n_collapses = ~std::size_t{0}) {
+  n_collapses = std::min(n_collapses, plan.collapses.size());
+  ExecutedT<Real> out;
+  std::vector<std::uint32_t> survivor(mesh.points.size());
+  std::iota(survivor.begin(), survivor.end(), 0u);
+  for (std::size_t i = n_collapses; i-- > 0;)  // backwards, so that a later end of `to` is known already
+    survivor[plan.collapses[i].from] = survivor[plan.collapses[i].to];
+
+  std::size_t removed = 0;
+  for (std::size_t i = 0; i < n_collapses; ++i) removed += plan.collapses[i].faces;
+  const std::size_t n_faces = mesh.triangles.size() - std::min(removed, mesh.triangles.size());
+  out.mesh.points.reserve(mesh.points.size() - n_collapses);
+  out.mesh.triangles.reserve(n_faces);
+  out.face_origin.reserve(n_faces);
+
+  out.vertex_map.resize(mesh.points.size());
+  out.survives.resize(mesh.points.size());
+  for (std::uint32_t v = 0; v < survivor.size(); ++v) {
+    out.survives[v] = survivor[v] == v;
+    if (!out.survives[v]) continue;
+    out.vertex_map[v] = static_cast<std::uint32_t>(out.mesh.points.size());
+    out.mesh.points.push_back(mesh.points[v]);
+  }
+  for (std::uint32_t v = 0; v < survivor.size(); ++v) out.vertex_map[v] = out.vertex_map[survivor[v]];
+  // One that goes later itself moves what it goes into, too, but not as the last one.
+  for (std::size_t i = 0; i < n_collapses; ++i) {
+    const Collapse& collapse = plan.collapses[i];
+    out.mesh.points[out.vertex_map[collapse.to]] = collapse.target.template cast<Real>();
+  }
+
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    const auto& old = mesh.triangles[f];
+    const typename IndexedMeshT<Real>::Triangle t{out.vertex_map[old[0]], out.vertex_map[old[1]],
+                                                  out.vertex_map[old[2]]};
+    const bool vanished = (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) &&
+                          !(old[0] == old[1] || old[1] == old[2] || old[2] == old[0]);
+    if (vanished) continue;
+    out.mesh.triangles.push_back(t);
+    out.face_origin.push_back(f);
+  }
+  return out;
+}
+
+}  // namespace whittle

@@ -1,0 +1,60 @@
+/// \file
+/// How far a point lies from the planes of the faces around some vertices.
+#pragma once
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "whittle/surface/Surface.hh"
+
+namespace whittle {
+
+/// The sum over the faces of area times squared distance from the face's plane, as a function of a point;
+/// twice that, to be exact. A face counts once for each of its corners among the vertices.
+class PlaneQuadric {
+ public:
+  /// \param center  where the sum is seen from, to keep the numbers small.
+  template <typename Real, typename Vertices>
+  PlaneQuadric(const SurfaceT<Real>& surface, const Vertices& vertices, const Eigen::Vector3d& center)
+      : center_(center) {
+    for (const std::uint32_t v : vertices) {
+      const Ring ring = surface.ring(v);
+      const Eigen::Vector3d p = surface.point(v);
+      for (std::size_t i = 0; i < ring.n_faces(); ++i) {
+        const Eigen::Vector3d n = (surface.point(ring[i]) - p).cross(surface.point(ring[i + 1]) - p);
+        const double length = n.norm();
+        if (!(length > 0)) continue;
+        const double offset = n.dot(p - center);
+        a_ += n * n.transpose() / length;
+        b_ += n * (offset / length);
+        c_ += offset * offset / length;
+      }
+    }
+  }
+
+  double error(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d x = point - center_;
+    return std::max(0.0, x.dot(a_ * x) - 2 * b_.dot(x) + c_);
+  }
+
+  /// The point of least error, no further than `limit` from the center. A slight pull to the center decides
+  /// where the planes leave a direction open.
+  Eigen::Vector3d best(double limit) const {
+    constexpr double kPull = 1e-5;  // as in mq
+    const Eigen::Matrix3d a = a_ + kPull * a_.trace() * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d move = a.ldlt().solve(b_);
+    if (!move.allFinite()) return center_;
+    if (move.norm() > limit) move *= limit / move.norm();
+    return center_ + move;
+  }
+
+ private:
+  Eigen::Vector3d center_;
+  Eigen::Matrix3d a_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b_ = Eigen::Vector3d::Zero();
+  double c_ = 0;
+};
+
+}  // namespace whittle

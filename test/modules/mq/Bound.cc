@@ -1,0 +1,150 @@
+#include "whittle/mq/Bound.hh"
+
+#include <limits>
+
+#include "OpenMeshFixture.hh"
+#include "whittle/ModMemorylessQuadricT.hh"
+#include "whittle/bulk.hh"
+#include "whittle/surface/triangle.hh"
+
+using namespace whittle;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+using meshes::IndexedMesh;
+
+namespace {
+
+MemorylessQuadric within(double distance, std::size_t faces = 0) {
+  MemorylessQuadric planner;
+  planner.max_distance = distance;
+  planner.target_faces = faces;
+  return planner;
+}
+
+double distance_to(const Vector3d& p, const IndexedMesh& mesh) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& t : mesh.triangles)
+    least = std::min(least, squared_distance(p, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+  return std::sqrt(least);
+}
+
+double farthest_vertex(const IndexedMesh& from, const IndexedMesh& to) {
+  double most = 0;
+  for (const Vector3d& p : from.points) most = std::max(most, distance_to(p, to));
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("points go to the nearest face, and one that is far from all refuses the collapse") {
+  // A point in the middle of four, on the faces 0 and 1 that are about to become the triangles of a square.
+  const std::vector<Vector3f> points{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1.5f, 0.5f, 0.25f}};
+  const std::vector<Rings::Triangle> input{{4, 0, 1}, {4, 1, 2}, {4, 2, 3}, {4, 3, 0}};
+  const auto sorted = [&](float distance) {
+    MemorylessQuadricBound bound(points, Rings(input, 5, false, 1), std::vector<float>(5, distance), 4);
+    REQUIRE_FALSE(bound.empty());
+    bound.put(4, 0);
+    MemorylessQuadricBound::Sorting sorting;
+    sorting.faces = {0, 1, 2, 3};
+    sorting.triangles = {{2, points[2], points[3], points[0]}, {1, points[0], points[1], points[2]}};
+    const bool is_allowed = bound.sort(sorting);
+    if (is_allowed) {
+      REQUIRE(sorting.moves.size() == 1);
+      CHECK(sorting.moves[0].first == 4);
+      CHECK(sorting.moves[0].second == 1);
+    }
+    return is_allowed;
+  };
+  CHECK(sorted(0.26f));
+  CHECK_FALSE(sorted(0.24f));
+  CHECK(MemorylessQuadricBound().empty());
+}
+
+TEST_CASE("a face that lies far from the input is refused, though all points are near it") {
+  // The input is a strip; the new face spans far to its side.
+  const std::vector<Vector3f> points{{0, 0, 0}, {1, 0, 0}, {0, 0.1f, 0}};
+  MemorylessQuadricBound bound(points, Rings({{0, 1, 2}}, 3, false, 1), std::vector<float>(3, 0.2f), 1);
+  bound.put(0, 0);
+  MemorylessQuadricBound::Sorting sorting;
+  sorting.faces = {0};
+  sorting.triangles = {{0, {0, 0, 0}, {1, 0, 0}, {0, 0.25f, 0}}};
+  CHECK(bound.sort(sorting));
+  sorting.triangles = {{0, {0, 0, 0}, {1, 0, 0}, {0, 3, 0}}};
+  CHECK_FALSE(bound.sort(sorting));
+}
+
+TEST_CASE("mq keeps every vertex of the input within its largest distance, and goes on elsewhere") {
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 24), 0.004, 1);
+  for (const double distance : {0.01, 0.05}) {
+    const auto kept = bulk(within(distance), mesh);
+    CHECK(farthest_vertex(mesh, kept.mesh) <= distance * 1.0001);
+    // The same number of faces without the bound takes some vertex farther.
+    const auto free = bulk(within(HUGE_VAL, kept.mesh.triangles.size()), mesh);
+    CHECK(farthest_vertex(mesh, free.mesh) > distance);
+    CHECK(kept.mesh.triangles.size() < mesh.triangles.size() / 2);
+  }
+}
+
+TEST_CASE("every beginning of a bounded mq plan keeps the bound") {
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(32, 16), 0.004, 1);
+  const CollapsePlan plan = within(0.02).plan(SurfaceT<double>(mesh));
+  for (std::size_t n = 0; n < plan.collapses.size(); n += 60)
+    CHECK(farthest_vertex(mesh, execute(plan, mesh, n).mesh) <= 0.02 * 1.0001);
+}
+
+TEST_CASE("a bound that nothing comes near changes nothing, and one of nothing keeps what is curved") {
+  const IndexedMesh torus = meshes::shaken(meshes::torus(48, 24), 0.004, 1);
+  CHECK(bulk(within(100, 500), torus).mesh.points == bulk(within(HUGE_VAL, 500), torus).mesh.points);
+  CHECK(bulk(within(0), torus).collapses == 0);
+}
+
+TEST_CASE("a tolerance is a factor of the bound of each vertex") {
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 24), 0.004, 1);
+  SurfaceExtras extras;
+  extras.tolerance.assign(mesh.points.size(), 1);
+  for (std::size_t v = 0; v < mesh.points.size() / 2; ++v) extras.tolerance[v] = 0.1f;
+  const CollapsePlan plan = within(0.05).plan(SurfaceT<double>(mesh, extras));
+  const IndexedMesh after = execute(plan, mesh).mesh;
+  double strict = 0, loose = 0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    double& most = extras.tolerance[v] < 1 ? strict : loose;
+    most = std::max(most, distance_to(mesh.points[v], after));
+  }
+  CHECK(strict <= 0.005 * 1.001);
+  CHECK(loose <= 0.05 * 1.001);
+  CHECK(loose > 0.01);
+}
+
+TEST_CASE("a bounded mq plans the same on any number of threads, also where the mesh is cut into parts") {
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(180, 100), 0.0005, 1);
+  REQUIRE(mesh.points.size() > 2 * 8192);
+  BulkOptions options;
+  options.threads = 1;
+  const auto one = bulk(within(0.002), mesh, options);
+  CHECK(one.collapses > 1000);
+  for (const std::size_t n_threads : {2u, 5u}) {
+    options.threads = n_threads;
+    const auto many = bulk(within(0.002), mesh, options);
+    CHECK(many.mesh.triangles == one.mesh.triangles);
+    CHECK(many.mesh.points == one.mesh.points);
+  }
+}
+
+TEST_CASE("the module has the bound, and scales it") {
+  using Mesh = fixture::Mesh;
+  const IndexedMesh indexed = meshes::shaken(meshes::torus(48, 24), 0.004, 1);
+  const auto faces = [&](double distance, double factor) {
+    Mesh mesh = fixture::to_openmesh<Mesh>(indexed);
+    OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
+    ModMemorylessQuadricT<Mesh>::Handle handle;
+    decimater.add(handle);
+    decimater.module(handle).set_max_distance(distance);
+    decimater.module(handle).set_error_tolerance_factor(factor);
+    return decimater.module(handle).plan().collapses.size();
+  };
+  CHECK(faces(0.01, 1) < faces(0.02, 1));
+  CHECK(faces(0.01, 1) == faces(0.02, 0.5));
+  CHECK(faces(HUGE_VAL, 0.5) > faces(0.02, 1));
+  CHECK_THROWS_AS(within(-1).validate(), InvalidParameter);
+  CHECK_THROWS_AS(within(std::nan("")).validate(), InvalidParameter);
+}

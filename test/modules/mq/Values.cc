@@ -1,0 +1,195 @@
+#include "whittle/mq/Values.hh"
+
+#include <cmath>
+
+#include "OpenMeshFixture.hh"
+#include "measure/Distance.hh"
+#include "measure/MeshFacts.hh"
+#include "whittle/ModMemorylessQuadricT.hh"
+#include "whittle/bulk.hh"
+#include "whittle/planners/MemorylessQuadric.hh"
+
+using namespace whittle;
+using meshes::IndexedMesh;
+using Vec = Eigen::Vector3f;
+
+namespace {
+
+constexpr std::uint32_t kSide = 60;
+
+/// 1 within a circle on the flat grid, 0 outside, with a soft edge.
+double spot(const Eigen::Vector3d& p) {
+  const double r = std::hypot(p.x() - 0.5 * kSide, p.y() - 0.5 * kSide);
+  return std::clamp((0.3 * kSide - r) / 4 + 0.5, 0.0, 1.0);
+}
+
+/// How far the spot, known at the vertices of a flat mesh, is from what it is at the points of the grid.
+double error_of_spot(const IndexedMesh& coarse) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const auto& t : coarse.triangles) {
+    const Eigen::Vector3d &a = coarse.points[t[0]], &b = coarse.points[t[1]], &c = coarse.points[t[2]];
+    const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    const double area = (b - a).cross(c - a).z();
+    for (double x = std::ceil(low.x()); x <= high.x(); ++x)
+      for (double y = std::ceil(low.y()); y <= high.y(); ++y) {
+        const Eigen::Vector3d p(x, y, 0);
+        const double v = (p - a).cross(c - a).z() / area, w = (b - a).cross(p - a).z() / area;
+        if (v < 0 || w < 0 || v + w > 1) continue;
+        sum += std::abs((1 - v - w) * spot(a) + v * spot(b) + w * spot(c) - spot(p));
+        ++count;
+      }
+  }
+  return sum / static_cast<double>(count);
+}
+
+BulkOptions spot_options(const IndexedMesh& grid, double weight) {
+  BulkOptions options;
+  options.extras.n_values = 1;
+  for (const auto& p : grid.points) options.extras.values.push_back(static_cast<float>(weight * spot(p)));
+  return options;
+}
+
+MemorylessQuadric down_to(std::size_t faces) {
+  MemorylessQuadric planner;
+  planner.target_faces = faces;
+  return planner;
+}
+
+}  // namespace
+
+TEST_CASE("a face's slope is that of its values") {
+  MemorylessQuadricValues values({1, 3, 6}, 1);
+  const Vec p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);  // 1 + x + 5 y, weight: twice the area
+  const auto term = values.term(p, q, r, values.at(0), values.at(1), values.at(2));
+  CHECK(term.slopes[0].weight == Approx(2));
+  CHECK(term.slopes[0].sum.isApprox(2 * Vec(1, 5, 0)));
+  CHECK(term.form.xx == Approx(2));
+  CHECK(term.form.xy == Approx(10));
+  CHECK(term.form.yy == Approx(50));
+  CHECK(term.form.zz == 0);
+}
+
+TEST_CASE("an edge along which the values are linear costs nothing, another what it should") {
+  MemorylessQuadricValues values({1, 3, 6}, 1);
+  const Vec p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
+  const auto term = values.term(p, q, r, values.at(0), values.at(1), values.at(2));
+  for (std::uint32_t v = 0; v < 3; ++v) values.add(v, term, 1);
+  // From p to q by x along the edge the value changes by x, as the slope says.
+  const SymmetricMatrix own = term.form + values.along(0, 1, q - p, 0);
+  CHECK((own * Vec(1, 0, 0)).dot(Vec(1, 0, 0)) == Approx(0).margin(1e-6));
+  // Across it the value stays while the slope says 5: the weight times 5 squared.
+  CHECK((own * Vec(0, 1, 0)).dot(Vec(0, 1, 0)) == Approx(50));
+}
+
+TEST_CASE("what is no number, and a sliver, have no slope") {
+  MemorylessQuadricValues values({1, NAN, 6}, 1);
+  const Vec p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
+  CHECK(values.term(p, q, r, values.at(0), values.at(1), values.at(2)).slopes[0].weight == 0);
+  const float ok[] = {1, 2, 3};
+  CHECK(values.term(p, q, Vec(1, 1e-6f, 0), &ok[0], &ok[1], &ok[2]).slopes[0].weight == 0);
+  CHECK(values.along(0, 1, q - p, 0).trace() == 0);
+}
+
+TEST_CASE("mq spends faces where values change if it is told to") {
+  const IndexedMesh grid = meshes::flat_grid(kSide);
+  const auto blind = bulk(down_to(400), grid), seeing = bulk(down_to(400), grid, spot_options(grid, 10));
+  REQUIRE(seeing.mesh.triangles.size() <= 400);
+  CHECK(error_of_spot(seeing.mesh) < 0.4 * error_of_spot(blind.mesh));
+  const auto a = measure::facts(grid), b = measure::facts(seeing.mesh);
+  CHECK(b.area == Approx(a.area).epsilon(1e-3));
+  CHECK(b.euler_characteristic == a.euler_characteristic);
+}
+
+TEST_CASE("values do not depend on the unit, on an offset, or on values that say nothing") {
+  const IndexedMesh grid = meshes::flat_grid(30);
+  BulkOptions options = spot_options(grid, 2), offset = options, doubled = options;
+  for (float& value : offset.extras.values) value += 64;
+  doubled.extras.n_values = 2;
+  doubled.extras.values.clear();
+  for (const float value : options.extras.values)
+    for (const float v : {value, 7.0f}) doubled.extras.values.push_back(v);
+  const auto plain = bulk(down_to(200), grid, options);
+  CHECK(bulk(down_to(200), grid, doubled).mesh.triangles == plain.mesh.triangles);
+  CHECK(error_of_spot(bulk(down_to(200), grid, offset).mesh) ==
+        Approx(error_of_spot(plain.mesh)).epsilon(0.2));
+}
+
+TEST_CASE("the module takes its values from the mesh, as far as that has them") {
+  using Mesh = fixture::Mesh;
+  const IndexedMesh grid = meshes::flat_grid(kSide);
+  Mesh mesh = fixture::to_openmesh<Mesh>(grid);
+  const auto plan = [&](const ValueWeights& weights) {
+    OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
+    ModMemorylessQuadricT<Mesh>::Handle handle;
+    decimater.add(handle);
+    decimater.module(handle).set_target_faces(400);
+    decimater.module(handle).set_value_weights(weights);
+    return decimater.module(handle).plan();
+  };
+  const auto pairs = [](const CollapsePlan& of) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
+    for (const Collapse& collapse : of.collapses) out.emplace_back(collapse.from, collapse.to);
+    return out;
+  };
+  const auto blind = pairs(plan({}));
+  CHECK((pairs(plan({10, 10, 10})) == blind));  // it has nothing yet
+
+  mesh.request_vertex_texcoords2D();
+  mesh.request_vertex_colors();
+  mesh.request_vertex_normals();
+  for (const auto v : mesh.vertices()) {
+    const double value = spot(grid.points[static_cast<std::size_t>(v.idx())]);
+    mesh.set_texcoord2D(v, {static_cast<float>(value), 0});
+    const auto grey = static_cast<unsigned char>(std::lround(255 * value));
+    mesh.set_color(v, {grey, grey, grey});
+    mesh.set_normal(v, {0, 0, 1});
+  }
+  CHECK((pairs(plan({})) == blind));
+  const CollapsePlan seeing = plan({0, 0, 10});
+  CHECK((pairs(seeing) != blind));
+  SurfaceExtras extras;
+  extras.n_values = 2;
+  for (const auto v : mesh.vertices()) {
+    extras.values.push_back(10 * mesh.texcoord2D(v)[0]);
+    extras.values.push_back(0);
+  }
+  const bool is_same = pairs(seeing) == pairs(down_to(400).plan(SurfaceT<double>(grid, extras)));
+  CHECK(is_same);
+  CHECK(error_of_spot(execute(plan({0, 10, 0}), grid).mesh) <
+        0.4 * error_of_spot(execute(plan({}), grid).mesh));
+  CHECK((pairs(plan({10, 0, 0})) == blind));  // all normals are the same
+  CHECK_THROWS_AS(plan({0, -1, 0}), InvalidParameter);
+}
+
+TEST_CASE("values of another size than the mesh are refused") {
+  BulkOptions options;
+  options.extras.n_values = 1;
+  CHECK_THROWS_AS(bulk(down_to(2), meshes::flat_grid(3), options), InvalidParameter);
+  options.extras.n_values = 13;
+  options.extras.values.assign(13 * 9, 0.0f);
+  CHECK_THROWS_AS(bulk(down_to(2), meshes::flat_grid(3), options), InvalidParameter);
+}
+
+TEST_CASE("feature edges keep their line") {
+  // Two planes at 37 degrees, with noise: the ridge runs along y at x = 0.
+  IndexedMesh mesh =
+      meshes::grid(41, [](std::uint32_t i, std::uint32_t) { return 0.33 * std::abs(20.0 - i); });
+  mesh = meshes::shaken(mesh, 0.12, 4);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (v % 41 == 20) mesh.points[v] = Eigen::Vector3d(20, mesh.points[v].y(), 0);
+  MemorylessQuadric plain = down_to(120), held = plain;
+  held.feature_angle = 30;
+  const auto off_ridge = [](const IndexedMesh& out) {  // the ridge's vertices: near it in x
+    double worst = 0;
+    for (const auto& p : out.points)
+      if (std::abs(p.x() - 20) < 0.6) worst = std::max(worst, std::hypot(p.x() - 20, p.z()));
+    return worst;
+  };
+  const auto with = bulk(held, mesh), without = bulk(plain, mesh);
+  CHECK(with.mesh.triangles.size() <= 120);
+  CHECK(off_ridge(with.mesh) < 0.5 * off_ridge(without.mesh));
+  CHECK(measure::facts(with.mesh).boundary_loops == 1);
+  held.feature_angle = 181;
+  CHECK_THROWS_AS(held.validate(), InvalidParameter);
+}
