@@ -33,7 +33,7 @@ bool reaches_floor(const CollapsePlan& plan, const IndexedMesh& mesh, const Floo
 template <typename P>
 RepeatedPlan plan_without_surface(const P& planner, const IndexedMesh& mesh, const SurfaceExtras& extras,
                                   const Job& job, std::size_t max_passes, std::size_t n_threads) {
-  if constexpr (plans_without_surface<P, double>::value) {
+  if constexpr (detail::plans_without_surface<P, double>::value) {
     RepeatedPlan once{planner.plan(mesh, extras, n_threads), 1};
     if (max_passes == 1 || reaches_floor(once.plan, mesh, job.floor)) return once;
   }

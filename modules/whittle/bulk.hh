@@ -3,13 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <thread>
-#include <type_traits>
 #include <utility>
 
 #include "whittle/plan/CollapsePlan.hh"
-#include "whittle/plan/Stages.hh"
 #include "whittle/plan/execute.hh"
+#include "whittle/plan/plan_mesh.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
 
@@ -17,8 +15,9 @@ namespace whittle {
 
 /// What `bulk` may be told besides the planner.
 struct BulkOptions {
-  std::size_t passes =
-      1;  ///< how often the planner is run at most, each time on what the last run leaves; >= 1
+  /// How often the planner is run at most, each time on what the last run leaves; >= 1. A planner that needs
+  /// no surface, as MemorylessQuadric, is run once.
+  std::size_t passes = 1;
   /// Stop as soon as no more faces are left; of the last pass only as many collapses are executed as it
   /// takes.
   std::size_t min_faces = 0;
@@ -27,16 +26,6 @@ struct BulkOptions {
   std::size_t threads = 0;
   SurfaceExtras extras;  ///< locks, tolerances
 };
-
-/// Whether a planner has `plan(mesh, extras, n_threads)` and so can do without a surface, as
-/// MemorylessQuadric; such a one is run once.
-template <typename Planner, typename Real, typename = void>
-struct plans_without_surface : std::false_type {};
-template <typename Planner, typename Real>
-struct plans_without_surface<Planner, Real,
-                             std::void_t<decltype(std::declval<const Planner&>().plan(
-                                 std::declval<const IndexedMeshT<Real>&>(), SurfaceExtras(), std::size_t{}))>>
-    : std::true_type {};
 
 /// What `bulk` makes of a mesh.
 template <typename Real>
@@ -53,15 +42,11 @@ struct BulkResultT : ExecutedT<Real> {
 template <typename Planner, typename Real>
 BulkResultT<Real> bulk(const Planner& planner, const IndexedMeshT<Real>& mesh, BulkOptions options = {}) {
   if (options.passes == 0) throw InvalidParameter("the number of passes must be at least 1");
-  const std::size_t threads = options.threads ? options.threads : std::thread::hardware_concurrency();
-  RepeatedPlan repeated;
-  if constexpr (plans_without_surface<Planner, Real>::value) {
-    repeated = {planner.plan(mesh, std::move(options.extras), threads), 1};
-  } else {
-    const SurfaceT<Real> surface(mesh, std::move(options.extras), threads);
-    repeated = plan_passes(planner, surface, options.passes,
-                           [&](const auto& stages) { return stages.n_faces() <= options.min_faces; });
-  }
+  // A planner that needs no surface goes as far as it can in one pass.
+  const std::size_t passes = detail::plans_without_surface<Planner, Real>::value ? 1 : options.passes;
+  const RepeatedPlan repeated =
+      detail::plan_mesh(planner, mesh, std::move(options.extras), passes, options.threads,
+                        [&](const auto& stages) { return stages.n_faces() <= options.min_faces; });
   BulkResultT<Real> out;
   std::size_t faces = mesh.triangles.size();
   for (const Collapse& collapse : repeated.plan.collapses) {

@@ -14,7 +14,7 @@
 #include "whittle/openmesh/attributes.hh"
 #include "whittle/openmesh/convert.hh"
 #include "whittle/plan/CollapsePlan.hh"
-#include "whittle/plan/Stages.hh"
+#include "whittle/plan/plan_mesh.hh"
 
 namespace whittle {
 
@@ -81,6 +81,10 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
   static constexpr std::size_t kUntilRest = ~std::size_t{0};
 
+  /// How many threads plan, where the planner has parts that allow it; the plan is the same for any number.
+  /// The default 0 means as many as the machine runs at once.
+  void set_threads(std::size_t threads) { threads_ = threads; }
+
   /// A factor of the threshold for each vertex: 0 keeps the vertex, 1 is neutral, 2 doubles the length or
   /// angle. Where a threshold concerns several vertices, the least factor counts. An invalid handle takes it
   /// back.
@@ -102,9 +106,10 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
         extras.tolerance.push_back(
             mesh.property(tolerance_, typename MeshT::VertexHandle(static_cast<int>(v))));
     describe(mesh, extras);
-    const SurfaceT<typename MeshT::Scalar> surface(indexed, std::move(extras));
     const auto never = [](const auto&) { return false; };
-    plan_ = plan_passes(planner_.scaled(this->error_tolerance_factor_), surface, passes_, never).plan;
+    plan_ = detail::plan_mesh(planner_.scaled(this->error_tolerance_factor_), indexed, std::move(extras),
+                              passes_, threads_, never)
+                .plan;
     rank_.assign(indexed.points.size(), kNotPlanned);
     for (std::size_t i = 0; i < plan_.collapses.size(); ++i)
       rank_[plan_.collapses[i].from] = static_cast<std::uint32_t>(i);
@@ -235,7 +240,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   Planner planner_;
-  std::size_t passes_ = 1;
+  std::size_t passes_ = 1, threads_ = 0;
   OpenMesh::VPropHandleT<float> tolerance_;
   CollapsePlan plan_;
   std::vector<std::uint32_t> rank_;       // of the collapse that removes a vertex
