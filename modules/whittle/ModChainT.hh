@@ -10,6 +10,7 @@ namespace whittle {
 /// Runs planners one after the other in one decimater, which takes only one priority module. Each is planned
 /// on what those before it leave; all collapses of one come before those of the next.
 ///
+/// <!-- test: header_chain -->
 /// \code
 /// whittle::ModChainT<Mesh, whittle::FaceAngle, whittle::VertexDistance>::Handle chain;
 /// decimater.add(chain);

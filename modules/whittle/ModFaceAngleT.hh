@@ -10,6 +10,7 @@ namespace whittle {
 /// Removes vertices whose faces lie nearly in a plane. The parameters are those of FaceAngle; a setter throws
 /// InvalidParameter and changes nothing when its value is out of range.
 ///
+/// <!-- test: header_face_angle -->
 /// \code
 /// OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
 /// whittle::ModFaceAngleT<Mesh>::Handle fad;

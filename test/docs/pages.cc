@@ -1,0 +1,139 @@
+/// \file
+/// The C++ of the README, of the pages on modules and of the headers' comments, each block on a mesh; what it
+/// leaves is written, read back and counted.
+#include "readme_module.inc"
+
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <whittle/DelaunayFlips.hh>
+#include <whittle/LazyDecimaterT.hh>
+#include <whittle/ModChainT.hh>
+#include <whittle/ModGuardedQuadricT.hh>
+#include <whittle/ModVertexDistanceT.hh>
+#include <whittle/planners/FaceAngle.hh>
+#include <whittle/planners/VertexDistance.hh>
+
+#include "catch.hh"
+#include "meshes.hh"
+#include "whittle/openmesh/convert.hh"
+#include "written.hh"
+
+namespace {
+
+Mesh to_mesh(const whittle::IndexedMesh& in) {
+  whittle::IndexedMeshT<float> single;
+  for (const auto& p : in.points) single.points.push_back(p.cast<float>());
+  single.triangles = in.triangles;
+  Mesh mesh;
+  REQUIRE(whittle::to_openmesh(single, mesh) == 0);
+  return mesh;
+}
+
+Mesh torus() {
+  return to_mesh(meshes::torus(96, 48));
+}
+constexpr std::size_t kTorusFaces = 2 * 96 * 48;
+
+/// The planner's own plan on the mesh, in flat arrays: what a module over it must leave.
+template <typename Planner>
+std::size_t faces_by_plan(const Planner& planner, const Mesh& mesh) {
+  const auto flat = whittle::to_indexed(mesh);
+  return whittle::execute(planner.plan(whittle::SurfaceT<float>(flat)), flat).mesh.triangles.size();
+}
+
+}  // namespace
+
+TEST_CASE("README: the module in a decimater leaves a mesh that can be written") {
+  Mesh mesh = torus();
+  whittle::FaceAngle fad;
+  fad.max_normal_angle = 30;
+  const std::size_t expected = faces_by_plan(fad, mesh);
+  REQUIRE(expected < kTorusFaces * 9 / 10);
+  simplify(mesh);
+  written::check_faces(mesh, expected);
+  mesh.garbage_collection();
+  written::check_faces(mesh, expected);
+}
+
+TEST_CASE("header of ModFaceAngleT: the example leaves what the planner plans") {
+  Mesh mesh = torus();
+  const std::size_t expected = faces_by_plan(whittle::FaceAngle(), mesh);
+#include "header_face_angle.inc"
+  written::check_faces(mesh, expected);
+}
+
+TEST_CASE("header of ModChainT: the second planner runs on what the first leaves") {
+  Mesh mesh = torus();
+  whittle::SweepDecimaterT<Mesh> decimater(mesh);
+#include "header_chain.inc"
+  REQUIRE(decimater.initialize());
+  const std::size_t removed = decimater.decimate();
+  REQUIRE(removed > 0);
+  mesh.garbage_collection();
+  written::check_faces(mesh, kTorusFaces - 2 * removed);
+}
+
+TEST_CASE("page on chains: both planners of the example remove something") {
+  Mesh mesh = torus();
+  for (auto v : mesh.vertices())
+    mesh.set_point(v, mesh.point(v) * 0.02f);  // edges about the page's threshold
+  whittle::FaceAngle first;
+  first.max_normal_angle = 20;
+  const std::size_t after_first = faces_by_plan(first, mesh);
+  whittle::SweepDecimaterT<Mesh> decimater(mesh);
+#include "chain.inc"
+  REQUIRE(decimater.initialize());
+  const std::size_t removed = decimater.decimate();
+  mesh.garbage_collection();
+  CHECK(after_first < kTorusFaces);
+  CHECK(mesh.n_faces() < after_first);
+  written::check_faces(mesh, kTorusFaces - 2 * removed);
+}
+
+TEST_CASE("page on Delaunay flips: the example flips edges and removes no face") {
+  Mesh mesh = to_mesh(meshes::shaken(meshes::flat_grid(30), 0.3, 1));
+  const std::size_t faces = mesh.n_faces();
+  {
+#include "flips.inc"
+    CHECK(report.flipped > 0);
+    CHECK(report.converged);
+  }
+  written::check_faces(mesh, faces);
+}
+
+TEST_CASE("page on Delaunay flips: nothing is flipped outside of the region") {
+  Mesh mesh = to_mesh(meshes::shaken(meshes::flat_grid(30), 0.3, 1)), whole = mesh;
+  const std::size_t all = whittle::delaunay_flips(whole).flipped;
+  std::vector<bool> changed(mesh.n_vertices(), false);
+#include "flips_region.inc"
+  CHECK(whittle::to_indexed(mesh).triangles ==
+        whittle::to_indexed(to_mesh(meshes::shaken(meshes::flat_grid(30), 0.3, 1))).triangles);
+  changed.assign(mesh.n_vertices(), true);
+#include "flips_region.inc"
+  CHECK(all > 0);
+  CHECK(whittle::to_indexed(mesh).triangles == whittle::to_indexed(whole).triangles);
+  written::check_faces(mesh, whole.n_faces());
+}
+
+TEST_CASE("page on the guarded quadric: the example reaches a tenth of the faces") {
+  Mesh mesh = torus();
+#include "quadric.inc"
+  mesh.garbage_collection();
+  written::check_faces(mesh, kTorusFaces / 20 * 2);  // faces go in pairs
+}
+
+TEST_CASE("page on all modules: tolerances of a quarter keep the figure's face finer") {
+  Mesh mesh = torus();
+  const auto is_face_of_the_figure = [&](auto v) { return mesh.point(v)[0] > 0; };
+  whittle::SweepDecimaterT<Mesh> decimater(mesh);
+  whittle::ModVertexDistanceT<Mesh>::Handle ivdd;
+  decimater.add(ivdd);
+  decimater.module(ivdd).set_max_distance(0.06);
+#include "tolerance.inc"
+  REQUIRE(decimater.initialize());
+  const std::size_t removed = decimater.decimate();
+  mesh.garbage_collection();
+  written::check_faces(mesh, kTorusFaces - 2 * removed);
+  std::size_t face = 0, rest = 0;
+  for (auto v : mesh.vertices()) ++(is_face_of_the_figure(v) ? face : rest);
+  CHECK(face > rest * 3 / 2);
+}
