@@ -17,6 +17,8 @@ packages=(
   fonts-dejavu-core xvfb libxcb1-dev
   # Tests, which open the report in a browser and run batches in parallel, and certificates for those who fetch over HTTPS.
   catch2 ca-certificates chromium parallel
+  # The API reference.
+  doxygen
 )
 
 case ${1:-} in
