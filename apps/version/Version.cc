@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "version/commit.hh"
+#include "whittle/version.hh"
 
 namespace whittle::version {
 namespace {
@@ -17,7 +18,7 @@ std::string dotted(int a, int b, int c) {
 }  // namespace
 
 std::string number() {
-  return WHITTLE_VERSION;
+  return dotted(WHITTLE_VERSION_MAJOR, WHITTLE_VERSION_MINOR, WHITTLE_VERSION_PATCH);
 }
 
 std::string commit() {

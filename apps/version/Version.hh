@@ -6,7 +6,7 @@
 
 namespace whittle::version {
 
-std::string number();  ///< "0.1.0"
+std::string number();  ///< "0.2.0"
 std::string commit();  ///< of the sources; "unknown" where they are no git checkout
 bool dirty();          ///< whether they differed from it
 

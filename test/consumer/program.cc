@@ -1,5 +1,5 @@
 /// \file
-/// A user's program: Whittle's module in the user's own decimater, on the user's own mesh type.
+/// The program of the three projects beside it: a module of Whittle in a decimater and on a mesh type of their own.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <iostream>

@@ -1,0 +1,2 @@
+#define OM_VERSION 0x80100
+//#define OM_VERSION 0x90000
