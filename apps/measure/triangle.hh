@@ -32,7 +32,7 @@ inline Corners corners(const IndexedMesh& mesh, const IndexedMesh::Triangle& tri
 
 /// The point of a triangle that is nearest to `p`.
 inline Eigen::Vector3d closest_point(const Eigen::Vector3d& p, const Corners& t) {
-  return whittle::closest_point(p, t.a, t.b, t.c);
+  return whittle::detail::closest_point(p, t.a, t.b, t.c);
 }
 
 }  // namespace whittle::measure

@@ -8,7 +8,7 @@
 #include "measure/Distance.hh"
 #include "measure/Monitor.hh"
 #include "whittle/surface/errors.hh"
-#include "whittle/surface/parallel.hh"
+#include "whittle/surface/threads.hh"
 
 namespace whittle::viewer {
 namespace {
@@ -19,14 +19,13 @@ constexpr double kInspection = 0.25, kHeat = 0.3;
 std::vector<float> distances(const std::vector<IndexedMesh::Point>& points, const measure::ClosestFace& to,
                              measure::Watch& watch, double work) {
   constexpr std::size_t kBlock = 2048;
+  whittle::detail::Crew crew(std::thread::hardware_concurrency());
   std::vector<float> out(points.size());
-  for_each_part(points.size(), std::thread::hardware_concurrency(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t next; begin < end; begin = next) {
-      next = std::min(begin + kBlock, end);
-      for (std::size_t i = begin; i < next; ++i)
-        out[i] = static_cast<float>(std::sqrt(to.closest(points[i]).squared_distance));
-      if (!watch.done(work * static_cast<double>(next - begin) / static_cast<double>(points.size()))) return;
-    }
+  crew.each_range(points.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    if (watch.stopped()) return;
+    for (std::size_t i = begin; i < end; ++i)
+      out[i] = static_cast<float>(std::sqrt(to.closest(points[i]).squared_distance));
+    watch.done(work * static_cast<double>(end - begin) / static_cast<double>(points.size()));
   });
   watch.check();
   return out;

@@ -1,5 +1,5 @@
 /// \file
-/// A priority queue that is exact to a quarter of an octave, and never compares.
+/// A bucketed priority queue of edges.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 #include <cstring>
 #include <vector>
 
-namespace whittle {
+namespace whittle::mq {
 
-/// Items in buckets by the bits of a cost: positive floats are ordered as their bits are, and the upper bits
-/// name the octave and the quarter of it. Within a bucket, items come in the order in which they went in.
+/// A priority queue by buckets of a quarter of an octave of cost. The upper bits of the float are the bucket,
+/// as positive floats are ordered as their bits are. Within a bucket items come first in, first out.
 class BucketQueue {
  public:
   static constexpr int kBucketsPerOctave = 4;
@@ -21,7 +21,7 @@ class BucketQueue {
     std::uint32_t item, bucket;
   };
 
-  /// The bucket of a cost; of a negative one the first, of NaN the last.
+  /// The bucket of a cost; the first for a negative cost, the last for NaN.
   static std::size_t bucket_of(float cost) {
     if (!(cost > 0)) return cost <= 0 ? 0 : kBuckets - 1;
     std::uint32_t bits = 0;
@@ -30,11 +30,12 @@ class BucketQueue {
     return bits >> 21;  // 8 bits of exponent, 2 of mantissa
   }
 
+  /// An item for a bucket that has been passed goes to the current one.
   void push(std::uint32_t item, std::size_t bucket) {
     buckets_[bucket < at_ ? at_ : bucket < kBuckets ? bucket : kBuckets - 1].push_back(item);
   }
 
-  /// Many at once, each bucket made large enough first.
+  /// Pushes many at once, after reserving each bucket.
   void push_all(const std::vector<Entry>& entries) {
     std::array<std::uint32_t, kBuckets> more{};
     for (const Entry& entry : entries) ++more[entry.bucket];
@@ -43,7 +44,7 @@ class BucketQueue {
     for (const Entry& entry : entries) push(entry.item, entry.bucket);
   }
 
-  /// Goes to the cheapest bucket that has something. \return  false  there is none below bucket `end`.
+  /// Goes to the cheapest bucket that is not empty. \return false  there is none below bucket `end`.
   bool advance(std::size_t end = kBuckets) {
     while (at_ < end && read_ == buckets_[at_].size()) {
       if (at_ + 1 == kBuckets) return false;
@@ -54,7 +55,7 @@ class BucketQueue {
     return at_ < end;
   }
 
-  /// The next item of this bucket. \return  false  it is empty.
+  /// Takes the next item of the current bucket. \return false  it is empty.
   bool pop(std::uint32_t& item) {
     const auto& items = buckets_[at_];
     if (read_ == items.size()) return false;
@@ -62,7 +63,7 @@ class BucketQueue {
     return true;
   }
 
-  /// The first bucket that has something, kBuckets if none has.
+  /// The first bucket that is not empty, kBuckets if all are.
   std::size_t next_bucket() const {
     std::size_t bucket = at_;
     while (bucket < kBuckets && size(bucket) == 0) ++bucket;
@@ -70,10 +71,10 @@ class BucketQueue {
   }
   std::size_t size(std::size_t bucket) const { return buckets_[bucket].size() - (bucket == at_ ? read_ : 0); }
 
-  std::size_t bucket() const { return at_; }  ///< the one that the last item came from
+  std::size_t bucket() const { return at_; }  ///< the current one, where the last item came from
 
-  /// The item that is `ahead` places behind the next one, in the same bucket or the one after it; null if it
-  /// is not there. For prefetching.
+  /// The item `ahead` places after the next one, in the current bucket or the one after it; null if there is
+  /// none. For prefetching.
   const std::uint32_t* peek(std::size_t ahead) const {
     const auto& items = buckets_[at_];
     const std::size_t i = read_ + ahead;
@@ -88,4 +89,4 @@ class BucketQueue {
   std::size_t at_ = 0, read_ = 0;
 };
 
-}  // namespace whittle
+}  // namespace whittle::mq

@@ -1,37 +1,17 @@
 /// \file
-/// A triangle mesh that collapses edges fast: for planners that look far ahead.
+/// A triangle mesh that collapses edges fast.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "whittle/mq/PackedNormal.hh"
+#include "whittle/mq/Corner.hh"
 #include "whittle/surface/Fans.hh"
 #include "whittle/surface/threads.hh"
 
-namespace whittle {
-
-/// A half-edge of the corner table: eight times its face plus the corner where it starts. The same number
-/// names that corner.
-using Corner = std::uint32_t;
-constexpr Corner kNoCorner = 0xffffffffu;
-
-constexpr Corner corner_of(std::size_t face) {
-  return static_cast<Corner>(Fans::kPerFace * face);
-}
-constexpr std::uint32_t face_of(Corner c) {
-  return c / Fans::kPerFace;
-}
-
-inline Corner next(Corner c) {
-  return (c & 3) == 2 ? c - 2 : c + 1;
-}
-inline Corner previous(Corner c) {
-  return (c & 3) == 0 ? c + 2 : c - 1;
-}
+namespace whittle::mq {
 
 /// Triangles with their three vertices and three neighbours, and one corner of each vertex.
 ///
@@ -40,35 +20,38 @@ inline Corner previous(Corner c) {
 ///        / \          vertex are c, twin(previous(c)), and so on, counter-clockwise; of a boundary vertex
 ///       / c \         `first` is the one where that begins.
 ///      a --- b
-class CornerTable {
+///
+/// \tparam Notes  eight bytes that the user keeps with each face.
+template <typename Notes>
+class CornerTableT {
  public:
   struct Face {
     std::array<std::uint32_t, 3> vertex;  ///< kDead in the first of a face that has vanished
     std::array<Corner, 3> twin;  ///< of the half-edge that starts at each corner; kNoCorner at a boundary
-    std::uint16_t queued;        ///< a bit for each half-edge, for the planner's use; three more: `is_line`
-    std::uint16_t part;          ///< of the mesh, for the planner's use
-    PackedNormal normal;         ///< in the input
+    Notes notes;
   };
-  static_assert(sizeof(Face) == Fans::kPerFace * sizeof(std::uint32_t));
+  static_assert(sizeof(Face) == corner_of(1) * sizeof(std::uint32_t));
   static constexpr std::uint32_t kDead = 0xffffffffu;
+  static constexpr std::size_t kMostFaces = (std::size_t{1} << 32) / corner_of(1);
 
-  CornerTable() = default;
+  CornerTableT() = default;
 
-  /// \param triangles  all indices below `n_vertices`. A vertex has a ring if its faces form a disc or one
-  ///                    fan; a half-edge between two that have none has no twin.
-  CornerTable(const std::vector<Fans::Triangle>& triangles, std::size_t n_vertices, Crew& crew);
+  /// A vertex has a ring if its faces form a disc or one fan; a half-edge between two that have none has no
+  /// twin.
+  /// \param triangles  at most kMostFaces, all indices below `n_vertices`.
+  CornerTableT(const std::vector<std::array<std::uint32_t, 3>>& triangles, std::size_t n_vertices,
+               detail::Crew& crew);
 
   Face& face(Corner c) { return faces_[face_of(c)]; }
   const Face& face(Corner c) const { return faces_[face_of(c)]; }
-  Face* faces() { return faces_.data(); }
+  Notes& notes(Corner c) { return face(c).notes; }
+  const Notes& notes(Corner c) const { return face(c).notes; }
+  const std::vector<Face>& faces() const { return faces_; }
   std::size_t n_faces() const { return faces_.size(); }
+  std::size_t n_vertices() const { return first_.size(); }
   bool is_dead(Corner c) const { return face(c).vertex[0] == kDead; }
   std::uint32_t vertex(Corner c) const { return words()[c]; }
   Corner twin(Corner c) const { return words()[c + 3]; }
-
-  /// Whether somebody has marked this half-edge.
-  bool is_line(Corner c) const { return (face(c).queued >> (3 + (c & 3)) & 1) != 0; }
-  void set_line(Corner c) { face(c).queued |= static_cast<std::uint16_t>(8u << (c & 3)); }
 
   /// A corner of a vertex; at the boundary the first. kNoCorner where it has no ring.
   Corner first(std::uint32_t v) const { return first_[v]; }
@@ -91,8 +74,8 @@ class CornerTable {
     if (c != kNoCorner) words()[c + 3] = twin;
   }
 
-  /// All faces in a row, eight words each: a corner's number is the place of its vertex, and three further on
-  /// is its twin. That is one instruction where a face and a place in it would be four.
+  /// All faces in a row, eight words each: the word at a corner's number is its vertex, the third after it
+  /// its twin. That is one instruction, where a face and a place in it would be four.
   std::uint32_t* words() { return reinterpret_cast<std::uint32_t*>(faces_.data()); }
   const std::uint32_t* words() const { return reinterpret_cast<const std::uint32_t*>(faces_.data()); }
 
@@ -100,41 +83,45 @@ class CornerTable {
   std::vector<Corner> first_;
 };
 
-inline CornerTable::CornerTable(const std::vector<Fans::Triangle>& triangles, std::size_t n_vertices,
-                                Crew& crew)
+template <typename Notes>
+inline CornerTableT<Notes>::CornerTableT(const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                         std::size_t n_vertices, detail::Crew& crew)
     : first_(n_vertices, kNoCorner) {
+  using detail::Fans, detail::RingShape;
   faces_.reserve(triangles.size());
-  for (const Fans::Triangle& t : triangles)
-    faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, 0, 0, {}});
+  for (const Fans::Triangle& t : triangles) faces_.push_back({t, {kNoCorner, kNoCorner, kNoCorner}, {}});
   const Fans fans(triangles, n_vertices);
+  const auto own = [](std::uint32_t c) { return corner_of(Fans::face_of(c)) + Fans::place_of(c); };
   // Each half-edge gets its twin at the vertex where it starts.
   constexpr std::size_t kAtOnce = 1024;
-  crew.each((n_vertices + kAtOnce - 1) / kAtOnce, [&](std::size_t some) {
-    const std::size_t end = std::min(n_vertices, (some + 1) * kAtOnce);
-    for (auto v = static_cast<std::uint32_t>(some * kAtOnce); v < end; ++v) {
+  crew.each_range(n_vertices, kAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
       Corner last = kNoCorner;
-      const auto shape = fans.walk(triangles, v, [&](std::size_t i, Corner c, std::uint32_t, std::uint32_t) {
-        if (i == 0)
-          first_[v] = c;
-        else
-          set_twin(c, previous(last));
-        last = c;
-      });
+      const auto shape =
+          fans.walk(triangles, v, [&](std::size_t i, std::uint32_t place, std::uint32_t, std::uint32_t) {
+            const Corner c = own(place);
+            if (i == 0)
+              first_[v] = c;
+            else
+              set_twin(c, previous(last));
+            last = c;
+          });
       if (shape == RingShape::closed) set_twin(first_[v], previous(last));
       if (shape != RingShape::complex) continue;
       first_[v] = kNoCorner;
-      for (std::size_t i = 0; i < fans.valence(v); ++i) set_twin(fans.places(v)[i], kNoCorner);
+      for (std::size_t i = 0; i < fans.valence(v); ++i) set_twin(own(fans.places(v)[i]), kNoCorner);
     }
   });
   bool complete = true;
   for (std::uint32_t v = 0; v < n_vertices; ++v) complete &= first_[v] != kNoCorner || fans.valence(v) == 0;
-  // If that has no ring, where it ends.
+  // Where the start has no ring, at the vertex where the half-edge ends.
   for (std::size_t f = 0; !complete && f < triangles.size(); ++f)
     for (Corner c = corner_of(f); c < corner_of(f) + 3; ++c)
       if (twin(c) != kNoCorner && first_[vertex(twin(c))] == kNoCorner) set_twin(twin(c), c);
 }
 
-inline void CornerTable::collapse(Corner c) {
+template <typename Notes>
+inline void CornerTableT<Notes>::collapse(Corner c) {
   const Corner d = twin(c);
   const std::uint32_t to = vertex(c), from = vertex(next(c));
   const auto in_face_of = [](Corner at, Corner edge) {
@@ -161,14 +148,14 @@ inline void CornerTable::collapse(Corner c) {
   first_[to] = first;
 }
 
-inline void CornerTable::close(Corner c) {
+template <typename Notes>
+inline void CornerTableT<Notes>::close(Corner c) {
   const Corner left = twin(next(c)), right = twin(previous(c)), tip = previous(c);
   set_twin(left, right);
   set_twin(right, left);
   if (first_[vertex(tip)] == tip)
     first_[vertex(tip)] = left;  // across the edge that the tip's fan goes on by
   face(c).vertex[0] = kDead;
-  face(c).queued = 0;  // so nobody need ask whether it is dead
 }
 
-}  // namespace whittle
+}  // namespace whittle::mq

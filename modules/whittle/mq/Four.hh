@@ -1,31 +1,29 @@
 /// \file
-/// Four numbers, vectors or symmetric matrices that are computed with at once.
+/// Four numbers, vectors or symmetric matrices in SIMD lanes.
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #if defined(__SSE__)
 #include <xmmintrin.h>
 #endif
 
 #include "whittle/mq/SymmetricMatrix.hh"
 
-namespace whittle {
+namespace whittle::mq {
 
-/// Eigen makes vector instructions of it where the processor has them; the results are the same anywhere, to
-/// the bit, as long as nothing but + - * / and comparisons are used.
+/// Eigen compiles this to SIMD instructions where the processor has them. Results are the same to the bit on
+/// every processor as long as only + - * / and comparisons are used.
 using Four = Eigen::Array4f;
 
-/// Four vectors, by coordinate.
+/// Four vectors, stored by coordinate.
 class FourVectors {
  public:
   using Scalar = Four;
 
-  FourVectors() = default;  ///< any
+  FourVectors() = default;  ///< uninitialised
   FourVectors(const Four& x, const Four& y, const Four& z) : x_(x), y_(y), z_(z) {}
 
   const Four& x() const { return x_; }
@@ -51,10 +49,10 @@ class FourVectors {
 
 using FourMatrices = SymmetricMatrixOf<FourVectors>;
 
-/// Vectors shorter than this have squares that floats cannot tell from 0.
+/// The square of a shorter vector is not told from 0 in float.
 constexpr float kLeastLength = 1e-18f;
 
-/// 1 / |v| for vectors with these squares, and no more than that of `kLeastLength`.
+/// 1 / |v| for vectors with these squared lengths; at most 1 / `kLeastLength`.
 EIGEN_ALWAYS_INLINE Four reciprocal_lengths(const Four& squares) {
   // Not by `squares.sqrt()`, which is an approximation that differs between processors.
 #if defined(__SSE__)
@@ -67,7 +65,7 @@ EIGEN_ALWAYS_INLINE Four reciprocal_lengths(const Four& squares) {
   return 1 / lengths.max(kLeastLength);
 }
 
-/// From four rows of four floats to the four columns, or back.
+/// Four rows of four floats to four columns, or back.
 EIGEN_ALWAYS_INLINE std::array<Four, 4> transposed(const std::array<const float*, 4>& rows) {
   Eigen::Matrix4f m;
   for (int i = 0; i < 4; ++i) m.col(i) = Eigen::Map<const Eigen::Vector4f>(rows[static_cast<std::size_t>(i)]);
@@ -81,12 +79,12 @@ EIGEN_ALWAYS_INLINE Eigen::Matrix4f transposed(const Four& a, const Four& b, con
   return m;
 }
 
-/// Four vectors that lie anywhere, each with a float after it.
+/// Loads four vectors from anywhere in memory; each must have another float after it.
 EIGEN_ALWAYS_INLINE FourVectors gathered(const std::array<const float*, 4>& vectors) {
   const auto columns = transposed(vectors);
   return {columns[0], columns[1], columns[2]};
 }
-/// Four matrices that lie anywhere.
+/// Loads four matrices from anywhere in memory.
 EIGEN_ALWAYS_INLINE FourMatrices gathered(const std::array<const SymmetricMatrix*, 4>& m) {
   std::array<const float*, 4> head, tail;  // xx xy xz yy and xz yy yz zz
   for (std::size_t i = 0; i < 4; ++i) {
@@ -97,7 +95,7 @@ EIGEN_ALWAYS_INLINE FourMatrices gathered(const std::array<const SymmetricMatrix
   return {first[0], first[1], first[2], first[3], last[2], last[3]};
 }
 
-/// The other way round.
+/// The four matrices one by one.
 EIGEN_ALWAYS_INLINE std::array<SymmetricMatrix, 4> apart(const FourMatrices& m) {
   const Eigen::Matrix4f head = transposed(m.xx, m.xy, m.xz, m.yy);
   std::array<SymmetricMatrix, 4> matrices;
@@ -110,28 +108,4 @@ EIGEN_ALWAYS_INLINE std::array<SymmetricMatrix, 4> apart(const FourMatrices& m) 
   return matrices;
 }
 
-/// Hands things over four at a time, and how many of them; the last ones are filled up with copies.
-template <typename Item, typename Take>
-class InFours {
- public:
-  explicit InFours(Take take) : take_(std::move(take)) {}
-
-  void add(const Item& item) {
-    items_[n_++] = item;
-    if (n_ == 4) flush();
-  }
-  /// To be called at the end.
-  void flush() {
-    if (n_ == 0) return;
-    std::fill(items_.begin() + n_, items_.end(), items_[0]);
-    take_(items_, n_);
-    n_ = 0;
-  }
-
- private:
-  Take take_;
-  std::array<Item, 4> items_{};
-  std::ptrdiff_t n_ = 0;
-};
-
-}  // namespace whittle
+}  // namespace whittle::mq

@@ -1,5 +1,5 @@
 /// \file
-/// A mesh renumbered so that what is near in space is near in memory.
+/// A mesh renumbered for locality of memory.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,22 +11,21 @@
 
 #include "whittle/surface/IndexedMesh.hh"
 
-namespace whittle {
+namespace whittle::mq {
 
-/// Vertices along a Morton curve, faces by the first of their vertices. Scans and meshes from files come in
-/// any order; an algorithm that visits places by their cost waits for memory less when a place's parts lie
-/// together.
+/// Vertices along a Morton curve, faces by the first of their vertices. Input meshes come in any order; an
+/// algorithm that visits edges by cost has fewer cache misses when a one-ring lies together in memory.
 struct MortonOrder {
   std::vector<std::uint32_t> vertex;                    ///< new index to old
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in new indices
-  std::vector<std::uint32_t> face;                      ///< new index to old, where asked for
-  Eigen::Vector3d low, high;                            ///< the corners of its box; zero of an empty mesh
+  std::vector<std::uint32_t> face;                      ///< new index to old; empty unless asked for
+  Eigen::Vector3d low, high;                            ///< the bounding box; zero for an empty mesh
 
   template <typename Real>
   explicit MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces = false);
 
  private:
-  /// Ten bits, each three places from the next.
+  /// Spreads ten bits to every third place.
   static std::uint32_t spread(std::uint32_t x) {
     x = (x | x << 16) & 0x030000ffu;
     x = (x | x << 8) & 0x0300f00fu;
@@ -50,7 +49,7 @@ MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces)
   const double extent = (high - low).maxCoeff();
   const double cells = extent > 0 ? 1023 / extent : 0;
 
-  // A radix sort, ten bits at a time, of codes with their vertices below.
+  // A radix sort, ten bits at a time, of keys with the code above the vertex.
   std::vector<std::uint64_t> keys(n), sorted(n);
   for (std::size_t v = 0; v < n; ++v) {
     std::uint32_t code = 0;
@@ -87,4 +86,4 @@ MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces)
   }
 }
 
-}  // namespace whittle
+}  // namespace whittle::mq

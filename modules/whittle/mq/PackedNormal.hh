@@ -7,9 +7,9 @@
 
 #include "whittle/mq/Four.hh"
 
-namespace whittle {
+namespace whittle::mq {
 
-/// Three times ten bits with a sign, good to a fifth of a degree; or no normal, that of a degenerate face.
+/// Three signed ten-bit coordinates, accurate to a fifth of a degree; or no normal, as of a degenerate face.
 class PackedNormal {
  public:
   static constexpr float kLength = 511;  ///< of what it unpacks to
@@ -22,10 +22,9 @@ class PackedNormal {
       bits_ |= (static_cast<std::uint32_t>(512.5f + kLength * normal[i]) ^ 512u) << 10 * i;
   }
 
-  bool is_none() const { return bits_ == 0; }
-  std::uint32_t bits() const { return bits_; }
+  std::uint32_t bits() const { return bits_; }  ///< 0: no normal
 
-  /// `kLength` times the normals, but for the rounding, from four of `bits`; zero for none.
+  /// Four normals from their `bits`, `kLength` long up to rounding; zero where there is none.
   static FourVectors unpacked(const Eigen::Array<std::uint32_t, 4, 1>& bits) {
     const Eigen::Array4i x = bits.shiftLeft<22>().cast<int>(), y = bits.shiftLeft<12>().cast<int>(),
                          z = bits.shiftLeft<2>().cast<int>();
@@ -37,4 +36,4 @@ class PackedNormal {
   std::uint32_t bits_ = 0;
 };
 
-}  // namespace whittle
+}  // namespace whittle::mq

@@ -1,43 +1,45 @@
 /// \file
-/// How mq plans: parts at the same time, step by step.
+/// The whole of mq: parts that work at the same time, step by step.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "whittle/mq/BucketQueue.hh"
+#include "whittle/mq/Goal.hh"
 #include "whittle/mq/Mesh.hh"
 #include "whittle/mq/Part.hh"
-#include "whittle/mq/Setup.hh"
+#include "whittle/mq/build.hh"
 #include "whittle/plan/CollapsePlan.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
 #include "whittle/surface/threads.hh"
 
-namespace whittle {
+namespace whittle::mq {
 
 /// Plans down to a number of faces or vertices.
 ///
-/// The mesh is cut into parts, as many for any number of threads. In a step each part collapses what costs
-/// less than a bound, as far as all around it is its own; then, alone, `seams_` does what lies across the
-/// parts; then the bound rises. The order within a step makes no difference between parts, so the plan lists
-/// it by cost.
-class MemorylessQuadricRun {
+/// The mesh is cut into parts, as many for any number of threads. In a step each part collapses the edges
+/// below a bucket whose surroundings are all its own; then, alone, `seams_` collapses those across the parts;
+/// then the bucket rises. The order within a step makes no difference between parts, so the plan lists it by
+/// cost.
+class Run {
  public:
   template <typename Real>
-  MemorylessQuadricRun(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras,
-                       const MemorylessQuadricMesh::Options& options, std::size_t n_threads)
+  Run(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras, const Options& options,
+      std::size_t n_threads)
       : crew_(n_threads),
-        mesh_(mesh, extras, options, crew_),
-        seams_(mesh_, MemorylessQuadricMesh::kEverywhere),
+        mesh_(build(mesh, extras, options, crew_)),
+        seams_(mesh_, kNoPart),
         n_faces_(mesh.triangles.size()),
         n_vertices_(mesh.points.size()) {
     plan_.stages.push_back(0);
-    cut();
+    queue_all();
   }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   /// Collapses until at most so many faces or at most so many vertices are left.
   void run(std::size_t target_faces, std::size_t target_vertices);
@@ -45,43 +47,43 @@ class MemorylessQuadricRun {
   CollapsePlan take() { return std::move(plan_); }
 
  private:
-  void cut();
+  void queue_all();
   void gather_strays();
   void append(std::size_t begin, std::size_t end);
   std::size_t next_bucket() const;
   std::size_t n_queued(std::size_t bucket) const;
   std::size_t step_end(std::size_t begin) const;
 
-  Crew crew_;
-  MemorylessQuadricMesh mesh_;
-  std::vector<MemorylessQuadricPart> parts_;
-  MemorylessQuadricPart seams_;
+  detail::Crew crew_;
+  Mesh mesh_;
+  std::vector<Part> parts_;
+  Part seams_;
   std::size_t n_faces_, n_vertices_;
-  MemorylessQuadricGoal goal_;
-  double faces_per_edge_ = 2;  // that vanished in the last step, of those that were queued for it
+  Goal goal_;
+  double faces_per_edge_ = 2;  // that vanished in the last step, for each edge that was queued for it
   CollapsePlan plan_;
 };
 
 /// Makes the parts and queues all edges.
-inline void MemorylessQuadricRun::cut() {
-  using Part = MemorylessQuadricMesh::Part;
-  const Part n = mesh_.n_parts();
+inline void Run::queue_all() {
+  const PartNumber n = mesh_.partition.size();
   if (n < 2) return seams_.queue_all(0, n_faces_);
-  for (unsigned i = 1; i <= n; ++i) parts_.emplace_back(mesh_, static_cast<Part>(i));
-  crew_.each(n,
-             [&](std::size_t i) { parts_[i].queue_all(mesh_.first_face(i + 1), mesh_.first_face(i + 2)); });
+  for (unsigned i = 1; i <= n; ++i) parts_.emplace_back(mesh_, static_cast<PartNumber>(i));
+  crew_.each(n, [&](std::size_t i) {
+    parts_[i].queue_all(mesh_.partition.first_face(i + 1), mesh_.partition.first_face(i + 2));
+  });
   gather_strays();
 }
 
-inline void MemorylessQuadricRun::gather_strays() {
-  for (MemorylessQuadricPart& part : parts_) {
+inline void Run::gather_strays() {
+  for (Part& part : parts_) {
     for (const auto& stray : part.strays) seams_.push(stray);
     part.strays.clear();
   }
 }
 
 /// Puts into the plan what the parts have done in a step, bucket by bucket, until the goal is reached.
-inline void MemorylessQuadricRun::append(std::size_t begin, std::size_t end) {
+inline void Run::append(std::size_t begin, std::size_t end) {
   std::vector<std::size_t> read(parts_.size(), 0);
   for (std::size_t bucket = begin; bucket < end; ++bucket)
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -91,24 +93,24 @@ inline void MemorylessQuadricRun::append(std::size_t begin, std::size_t end) {
         goal_.count(done[read[i]].collapse);
       }
     }
-  for (MemorylessQuadricPart& part : parts_) part.done.clear();
+  for (Part& part : parts_) part.done.clear();
 }
 
-inline std::size_t MemorylessQuadricRun::next_bucket() const {
+inline std::size_t Run::next_bucket() const {
   std::size_t least = seams_.queue().next_bucket();
-  for (const MemorylessQuadricPart& part : parts_) least = std::min(least, part.queue().next_bucket());
+  for (const Part& part : parts_) least = std::min(least, part.queue().next_bucket());
   return least;
 }
 
-inline std::size_t MemorylessQuadricRun::n_queued(std::size_t bucket) const {
+inline std::size_t Run::n_queued(std::size_t bucket) const {
   std::size_t n = seams_.queue().size(bucket);
-  for (const MemorylessQuadricPart& part : parts_) n += part.queue().size(bucket);
+  for (const Part& part : parts_) n += part.queue().size(bucket);
   return n;
 }
 
 /// The wider a step, the more a part does before the cache has to hold another one; but at its end much of
-/// the way must be left, or the parts would reach the target alone and leave the seams between them behind.
-inline std::size_t MemorylessQuadricRun::step_end(std::size_t begin) const {
+/// the way must be left, or the parts would reach the target alone, with the edges between them left out.
+inline std::size_t Run::step_end(std::size_t begin) const {
   constexpr std::size_t kWidest = 16;
   constexpr double kMost = 0.75;
   double faces = 0;
@@ -121,7 +123,7 @@ inline std::size_t MemorylessQuadricRun::step_end(std::size_t begin) const {
   return end;
 }
 
-inline void MemorylessQuadricRun::run(std::size_t target_faces, std::size_t target_vertices) {
+inline void Run::run(std::size_t target_faces, std::size_t target_vertices) {
   const auto over = [](std::size_t n, std::size_t target) { return n > target ? n - target : 0; };
   goal_.faces = over(n_faces_, target_faces);
   goal_.vertices = over(n_vertices_, target_vertices);
@@ -154,4 +156,4 @@ inline void MemorylessQuadricRun::run(std::size_t target_faces, std::size_t targ
   plan_.record.planned = plan_.collapses.size();
 }
 
-}  // namespace whittle
+}  // namespace whittle::mq

@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 
-namespace whittle {
+namespace whittle::mq {
 
-/// Six numbers; what mq's quadrics are made of.
+/// A symmetric 3x3 matrix as six numbers; mq's quadrics are such matrices.
 /// \tparam Vector  of three such numbers: Eigen::Vector3f, or FourVectors for four matrices at once.
 template <typename Vector>
 struct SymmetricMatrixOf {
@@ -48,8 +48,8 @@ struct SymmetricMatrixOf {
             xz * v.x() + yz * v.y() + zz * v.z()};
   }
 
-  /// The u for which this matrix times u is b. By L D LT, so the matrix must be positive definite.
-  /// \param pivots  the diagonal of D; the solution means nothing where rounding has made one not positive.
+  /// The u for which this matrix times u is b, by L D LT; the matrix must be positive definite.
+  /// \param pivots  the diagonal of D; the solution is meaningless where one is not positive.
   Vector solve(const Vector& b, Vector& pivots) const {
     const Real a = 1 / xx, l10 = xy * a, l20 = xz * a;
     const Real d1 = yy - l10 * xy, c = 1 / d1, e = yz - l10 * xz, l21 = e * c;
@@ -63,4 +63,4 @@ struct SymmetricMatrixOf {
 
 using SymmetricMatrix = SymmetricMatrixOf<Eigen::Vector3f>;
 
-}  // namespace whittle
+}  // namespace whittle::mq

@@ -1,21 +1,22 @@
 /// \file
-/// What mq knows of normals, colours and texture coordinates.
+/// Error of normals, colours and texture coordinates, as quadratic forms.
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "whittle/mq/SymmetricMatrix.hh"
+#include "whittle/mq/Vertex.hh"
 #include "whittle/surface/Surface.hh"
 
-namespace whittle {
+namespace whittle::mq {
 
-/// Values at the vertices, linear on each face, and how far they change when a vertex moves.
+/// Values at the vertices, linear on each face, and the error that moving a vertex causes in them.
 ///
 /// On a face with slope g a value that is s at vertex v is s + g x at the offset x from it. If v moves by x
 /// and gets s + d instead, the face's share of the error is its weight times (d - g x) squared. When an edge
@@ -24,12 +25,11 @@ namespace whittle {
 ///
 ///     (m - g)(m - g)T = m mT - (m gT + g mT) + g gT
 ///
-/// The last term does not depend on the edge and is added to the vertex's quadric once; of the others the
-/// sums of g and of the weights are kept. A value that is not a number says that a vertex has no single one,
-/// as on a seam; its faces are left out for that value.
-class MemorylessQuadricValues {
+/// The last term does not depend on the edge and is added to the vertex's quadric once; for the others the
+/// sums of g and of the weights are kept. NaN means that a vertex has no single value, as on a seam; its
+/// faces are left out for that value.
+class Values {
  public:
-  using Vec = Eigen::Vector3f;
   static constexpr std::size_t kMost = SurfaceExtras::kMostValues;
 
   /// Of one value: the sum over faces of slope times weight, and that of the weights.
@@ -37,21 +37,21 @@ class MemorylessQuadricValues {
     Vec sum = Vec::Zero();
     float weight = 0;
   };
-  /// What one or several faces add to a vertex.
+  /// What faces add to a vertex.
   struct Term {
     SymmetricMatrix form;  ///< the sum of g gT
     std::array<Slope, kMost> slopes = {};
   };
 
-  MemorylessQuadricValues() = default;
+  Values() = default;
   /// \param values  `count` for each vertex
-  MemorylessQuadricValues(std::vector<float> values, std::size_t count)
+  Values(std::vector<float> values, std::size_t count)
       : n_(count), values_(std::move(values)), slopes_(values_.size()) {}
 
   bool empty() const { return n_ == 0; }
   const float* at(std::uint32_t v) const { return &values_[n_ * v]; }
 
-  /// What a face with these corners adds to each of them.
+  /// What the face p q r adds to each of its corners.
   Term term(const Vec& p, const Vec& q, const Vec& r, const float* at_p, const float* at_q,
             const float* at_r) const;
 
@@ -69,7 +69,7 @@ class MemorylessQuadricValues {
     }
   }
 
-  /// The values a part of the way from one vertex to another.
+  /// The values at a share of the way from a to b.
   std::array<float, kMost> between(std::uint32_t a, std::uint32_t b, float share) const {
     std::array<float, kMost> out{};
     for (std::size_t i = 0; i < n_; ++i) out[i] = at(a)[i] + share * (at(b)[i] - at(a)[i]);
@@ -82,7 +82,7 @@ class MemorylessQuadricValues {
     }
   }
 
-  /// What an edge from a to b adds to the quadric of its end v.
+  /// What the edge e from a to b adds to the quadric of its end v.
   SymmetricMatrix along(std::uint32_t a, std::uint32_t b, const Vec& e, std::uint32_t v) const;
 
  private:
@@ -91,12 +91,12 @@ class MemorylessQuadricValues {
   std::vector<Slope> slopes_;
 };
 
-inline auto MemorylessQuadricValues::term(const Vec& p, const Vec& q, const Vec& r, const float* at_p,
-                                          const float* at_q, const float* at_r) const -> Term {
+inline auto Values::term(const Vec& p, const Vec& q, const Vec& r, const float* at_p, const float* at_q,
+                         const float* at_r) const -> Term {
   Term term;
   const Vec e = q - p, f = r - p, n = e.cross(f);
   const float square = n.squaredNorm();
-  constexpr float kSliver = 1e-6f;  // of such a face no slope is to be trusted
+  constexpr float kSliver = 1e-6f;  // the slope of a thinner face is not reliable
   if (!(square > kSliver * e.squaredNorm() * f.squaredNorm())) return term;
   const float weight = std::sqrt(square);
   const Vec by_e = f.cross(n) / square, by_f = n.cross(e) / square;
@@ -109,8 +109,7 @@ inline auto MemorylessQuadricValues::term(const Vec& p, const Vec& q, const Vec&
   return term;
 }
 
-inline SymmetricMatrix MemorylessQuadricValues::along(std::uint32_t a, std::uint32_t b, const Vec& e,
-                                                      std::uint32_t v) const {
+inline SymmetricMatrix Values::along(std::uint32_t a, std::uint32_t b, const Vec& e, std::uint32_t v) const {
   SymmetricMatrix sum;
   const float square = e.squaredNorm();
   if (!(square > 0)) return sum;
@@ -124,4 +123,4 @@ inline SymmetricMatrix MemorylessQuadricValues::along(std::uint32_t a, std::uint
   return sum;
 }
 
-}  // namespace whittle
+}  // namespace whittle::mq

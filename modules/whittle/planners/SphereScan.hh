@@ -76,7 +76,7 @@ Eigen::Vector3d SphereScan::place(const SurfaceT<Real>& surface,
   const auto at = [&](std::size_t i) { return surface.point(members[i]); };
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   for (const std::uint32_t v : members) center += surface.point(v) / static_cast<double>(members.size());
-  if (members.size() == 3) center = enclosing_center(at(0), at(1), at(2));
+  if (members.size() == 3) center = detail::enclosing_center(at(0), at(1), at(2));
   if (placement == Placement::paper) return center;
 
   return PlaneQuadric(surface, members, center).best(radius / 2);

@@ -26,8 +26,8 @@ template <typename Real>
 Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint32_t, 3>& t,
                       TrianglePlacement placement) {
   const Eigen::Vector3d a = surface.point(t[0]), b = surface.point(t[1]), c = surface.point(t[2]);
-  if (placement == TrianglePlacement::circumcenter) return circumcenter(a, b, c);
-  const Eigen::Vector3d center = enclosing_center(a, b, c);
+  if (placement == TrianglePlacement::circumcenter) return detail::circumcenter(a, b, c);
+  const Eigen::Vector3d center = detail::enclosing_center(a, b, c);
   if (placement == TrianglePlacement::enclosing) return center;
   const double radius = std::max({(a - center).norm(), (b - center).norm(), (c - center).norm()});
   return PlaneQuadric(surface, t, center).best(radius);

@@ -1,5 +1,5 @@
 /// \file
-/// The faces around a vertex, put into order.
+/// The faces around each vertex, in order.
 #pragma once
 
 #include <algorithm>
@@ -9,23 +9,28 @@
 #include <utility>
 #include <vector>
 
-namespace whittle {
+namespace whittle::detail {
 
 /// What the faces around a vertex form.
 enum class RingShape : std::uint8_t {
   closed,   ///< a disc around it
   open,     ///< one fan: the vertex is on the boundary
   complex,  ///< neither: several fans, an edge with more than two faces, a face that names the vertex twice
-  empty     ///< nothing: no face has it
+  empty     ///< nothing: no face has the vertex
 };
 
-/// Which faces each vertex has; 4 bytes a corner and 8 a vertex.
+/// The corners at each vertex; 4 bytes a corner and 8 a vertex.
+///
+/// A corner is one number: four times its face plus its place there, 0..2.
 class Fans {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
-  /// Numbers of corners go up by so many from face to face; a CornerTable's faces have as many words.
-  static constexpr std::uint32_t kPerFace = 8;
-  static constexpr std::size_t kMostTriangles = (std::size_t{1} << 32) / kPerFace;
+  static constexpr std::size_t kMostTriangles = std::size_t{1} << 30;
+  static constexpr std::uint32_t corner_of(std::uint32_t face, std::uint32_t place) {
+    return 4 * face + place;
+  }
+  static constexpr std::uint32_t face_of(std::uint32_t corner) { return corner / 4; }
+  static constexpr std::uint32_t place_of(std::uint32_t corner) { return corner % 4; }
 
   /// \param triangles  at most kMostTriangles, all indices below `n_vertices`.
   Fans(const std::vector<Triangle>& triangles, std::size_t n_vertices);
@@ -33,9 +38,8 @@ class Fans {
   std::size_t valence(std::uint32_t v) const { return first_[v + 1] - first_[v] - 1; }
 
   /// Goes around a vertex counter-clockwise, from where an open fan begins: calls `visit(i, corner, next,
-  /// previous)` for the i-th face, where `corner` is `kPerFace` times its index plus the corner that is at
-  /// `v`, and the others are the vertices after and before it. Where the shape is complex, what was visited
-  /// means nothing.
+  /// previous)` for the i-th face, with its corner at `v` and the vertices after and before that. Where the
+  /// shape is complex, what was visited means nothing.
   template <typename Visit>
   RingShape walk(const std::vector<Triangle>& triangles, std::uint32_t v, Visit visit) const {
     const std::size_t n = valence(v);
@@ -44,11 +48,11 @@ class Fans {
     return n <= kSome ? walk_some<kSome>(triangles, v, visit) : walk_some<kMany>(triangles, v, visit);
   }
 
-  /// The place of a vertex's faces, in index order, as corners; and one more. Whoever has walked around it
-  /// may put something else there.
+  /// The corners at a vertex, by face index, and room for one more entry. After a walk the caller may
+  /// overwrite them.
   std::uint32_t* places(std::uint32_t v) { return &corners_[first_[v]]; }
   const std::uint32_t* places(std::uint32_t v) const { return &corners_[first_[v]]; }
-  /// Where that is, counted from the places of the first vertex.
+  /// The index of `places(v)[0]` in the array of all places.
   std::size_t begin(std::uint32_t v) const { return first_[v]; }
   std::size_t n_places() const { return corners_.size(); }
 
@@ -57,7 +61,7 @@ class Fans {
   static constexpr std::size_t kFew = 8, kSome = 24, kMany = 0;
 
   /// The faces of one vertex, at most `N`: their corners there, the vertices after and before, and which face
-  /// comes next. Where there are fewer, the vertices that are missing are no neighbours of each other.
+  /// comes next. Unused entries hold numbers that match nothing.
   template <std::size_t N>
   struct Fan {
     std::array<std::uint32_t, N> corner, next, previous, follower;
@@ -86,14 +90,14 @@ inline Fans::Fans(const std::vector<Triangle>& triangles, std::size_t n_vertices
   corners_.resize(first_.back());
   // Filling moves each start to the end of its faces, one short of the next start.
   for (std::uint32_t f = 0; f < triangles.size(); ++f)
-    for (std::uint32_t i = 0; i < 3; ++i) corners_[first_[triangles[f][i]]++] = kPerFace * f + i;
+    for (std::uint32_t i = 0; i < 3; ++i) corners_[first_[triangles[f][i]]++] = corner_of(f, i);
   for (std::size_t v = first_.size() - 1; v > 0; --v) first_[v] = first_[v - 1] + 1;
   first_[0] = 0;
 }
 
-/// Finds for each face the one that begins at the neighbour where it ends, kNone if there is none. With few
-/// faces comparing all with all is the fastest: no branches, and compilers make it vector instructions.
-/// \return false  two faces begin there.
+/// Finds for each face the one that begins at the neighbour where it ends, kNone if there is none. For few
+/// faces comparing all pairs is fastest: it has no branches, and compilers vectorise it.
+/// \return false  two faces begin at one neighbour.
 template <std::size_t N>
 bool Fans::Fan<N>::link(std::size_t /*n*/) {
   constexpr std::uint32_t kOne = 1u << 16;  // the sum of the matches' places, and above it how many they are
@@ -111,7 +115,7 @@ bool Fans::Fan<N>::link(std::size_t /*n*/) {
   return most < 2 * kOne;
 }
 
-/// The same with any number of faces.
+/// The same for any number of faces, by sorting.
 template <>
 struct Fans::Fan<Fans::kMany> {
   std::vector<std::uint32_t> corner, next, previous, follower;
@@ -141,7 +145,7 @@ RingShape Fans::walk_some(const std::vector<Triangle>& triangles, std::uint32_t 
   Fan<N> fan(n);
   constexpr std::array<std::uint8_t, 4> kNext{1, 2, 0, 1};
   for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t corner = corners[i] % kPerFace, f = corners[i] / kPerFace;
+    const std::uint32_t corner = place_of(corners[i]), f = face_of(corners[i]);
     fan.corner[i] = corners[i];
     fan.next[i] = triangles[f][kNext[corner]];
     fan.previous[i] = triangles[f][kNext[corner + 1]];
@@ -157,7 +161,7 @@ RingShape Fans::walk_some(const std::vector<Triangle>& triangles, std::uint32_t 
   const std::size_t start = is_closed ? 0 : n * (n - 1) / 2 - fan.sum;
   if (fan.n_followed + 1 < n || start >= n) return RingShape::complex;
 
-  // Whatever the sum has hidden shows here: a walk of n steps that ends as it should has been everywhere.
+  // The sum alone does not prove a single fan; a walk of n steps that ends as it should has seen all faces.
   std::uint32_t at = static_cast<std::uint32_t>(start);
   std::size_t i = 0;
   do {
@@ -168,4 +172,4 @@ RingShape Fans::walk_some(const std::vector<Triangle>& triangles, std::uint32_t 
   return is_closed ? RingShape::closed : RingShape::open;
 }
 
-}  // namespace whittle
+}  // namespace whittle::detail

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "whittle/surface/Fans.hh"
-#include "whittle/surface/parallel.hh"
+#include "whittle/surface/threads.hh"
 
 namespace whittle {
 
@@ -33,6 +33,8 @@ class Ring {
   bool is_closed_;
 };
 
+namespace detail {
+
 /// The rings of all vertices in one array; 4 bytes a corner and 8 a vertex.
 class Rings {
  public:
@@ -40,10 +42,10 @@ class Rings {
 
   /// \param triangles   all indices below `n_vertices`.
   /// \param with_faces  whether to keep which face is where, for `face()`.
-  Rings(const std::vector<Triangle>& triangles, std::size_t n_vertices, bool with_faces,
-        std::size_t n_threads)
+  Rings(const std::vector<Triangle>& triangles, std::size_t n_vertices, bool with_faces, Crew& crew)
       : fans_(triangles, n_vertices), faces_(with_faces ? fans_.n_places() : 0), shapes_(n_vertices) {
-    for_each_part(n_vertices, n_threads, [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t kAtOnce = 1024;
+    crew.each_range(n_vertices, kAtOnce, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto v = static_cast<std::uint32_t>(i);
         std::uint32_t* const ring = fans_.places(v);
@@ -53,7 +55,7 @@ class Rings {
                        [=](std::size_t k, std::uint32_t corner, std::uint32_t next, std::uint32_t previous) {
                          ring[k] = next;
                          ring[k + 1] = previous;
-                         if (faces != nullptr) faces[k] = corner / Fans::kPerFace;
+                         if (faces != nullptr) faces[k] = Fans::face_of(corner);
                        });
       }
     });
@@ -75,5 +77,7 @@ class Rings {
   std::vector<std::uint32_t> faces_;  // in the order of the rings
   std::vector<RingShape> shapes_;
 };
+
+}  // namespace detail
 
 }  // namespace whittle

@@ -1,9 +1,9 @@
 /// \file
-/// What a planner sees of a mesh: points, triangles, the faces around each vertex, and which vertices are
-/// free.
+/// What a planner sees of a mesh: points, triangles, one-rings, and which vertices are free.
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -13,6 +13,7 @@
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Rings.hh"
 #include "whittle/surface/errors.hh"
+#include "whittle/surface/threads.hh"
 
 namespace whittle {
 
@@ -55,7 +56,9 @@ struct SurfaceExtras {
   std::size_t n_values = 0;  ///< for each vertex, at most `kMostValues`
 };
 
-/// What every planner takes for granted of its input.
+namespace detail {
+
+/// Checks what every planner relies on.
 /// \return the extras with flags for every vertex; those of tolerance 0 are locked.
 /// \throw InvalidMesh, InvalidParameter  as the constructor of SurfaceT.
 template <typename Real>
@@ -88,6 +91,15 @@ SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
                           std::to_string(n_vertices));
   return extras;
 }
+
+template <typename Real>
+Rings rings_of(const IndexedMeshT<Real>& mesh, bool with_faces, std::size_t n_threads) {
+  constexpr std::size_t kLeast = 4096;  // vertices; for fewer a thread costs more than it saves
+  Crew crew(std::min(n_threads, mesh.points.size() / kLeast));
+  return {mesh.triangles, mesh.points.size(), with_faces, crew};
+}
+
+}  // namespace detail
 
 /// A read-only view of an indexed mesh with the adjacency that planners need. The mesh must outlive it.
 ///
@@ -143,7 +155,7 @@ class SurfaceT {
   bool is_free(std::uint32_t v, Boundary boundary = Boundary::keep) const {
     return flags(v) == 0 || (boundary == Boundary::merge && flags(v) == kBoundary);
   }
-  /// Whether two vertices may become one; the link condition sees to it that it happens along the boundary.
+  /// Whether two vertices may merge; boundary ones only along the boundary, which the link condition ensures.
   bool may_merge(std::uint32_t a, std::uint32_t b, Boundary boundary) const {
     return is_free(a, boundary) && is_free(b, boundary) && is_boundary(a) == is_boundary(b);
   }
@@ -153,14 +165,15 @@ class SurfaceT {
  private:
   const IndexedMeshT<Real>& mesh_;
   SurfaceExtras extras_;
-  Rings rings_;
+  detail::Rings rings_;
 };
 
 template <typename Real>
 SurfaceT<Real>::SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras, std::size_t n_threads)
     : mesh_(mesh),
-      extras_(checked(mesh, std::move(extras))),
-      rings_(mesh.triangles, mesh.points.size(), has_reference_normals(), n_threads) {
+      extras_(detail::checked(mesh, std::move(extras))),
+      rings_(detail::rings_of(mesh, has_reference_normals(), n_threads)) {
+  using detail::RingShape;
   for (std::uint32_t v = 0; v < n_vertices(); ++v) switch (rings_.shape(v)) {
       case RingShape::closed:
         break;

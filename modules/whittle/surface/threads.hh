@@ -1,7 +1,8 @@
 /// \file
-/// Threads that stay together for many short rounds of work.
+/// A pool of threads for many short rounds of work.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
@@ -12,14 +13,13 @@
 #include <thread>
 #include <vector>
 
-namespace whittle {
+namespace whittle::detail {
 
-/// The calling thread and its helpers. Nobody waits for a helper that wakes up when a round is over. Since to
-/// fall asleep and to be woken takes longer than many a round, a thread that waits looks again for a while
-/// first, and gives way to others meanwhile.
+/// The calling thread and its helpers. Late helpers are not waited for. Waiting threads spin briefly,
+/// yielding, before they block, as blocking and waking take longer than many a round.
 class Crew {
  public:
-  /// \param n_threads  with the calling one; fewer if there are no more to be had
+  /// \param n_threads  with the calling one; fewer where the system grants no more
   explicit Crew(std::size_t n_threads) {
     for (std::size_t i = 1; i < n_threads; ++i) try {
         helpers_.emplace_back([this] { help(); });
@@ -40,14 +40,23 @@ class Crew {
 
   std::size_t size() const { return helpers_.size() + 1; }  ///< threads, with the calling one
 
-  /// Calls `work(i)` for each i below n, on any of the threads. \throw  what the work of the least i throws
+  /// Calls `work(i)` for each i below n, on any of the threads.
+  /// \throw  what the work of the least i that throws does
   void each(std::size_t n, const std::function<void(std::size_t)>& work);
+
+  /// Calls `work(begin, end)` for ranges of at most `at_once` that together are 0 .. n, on any of the
+  /// threads. \throw  what the work of the least range that throws does
+  template <typename Work>
+  void each_range(std::size_t n, std::size_t at_once, const Work& work) {
+    each((n + at_once - 1) / at_once,
+         [&](std::size_t i) { work(i * at_once, std::min(n, (i + 1) * at_once)); });
+  }
 
  private:
   void help();
   void take_items();
   template <typename IsOver>
-  static void look_again(IsOver is_over) {
+  static void spin(IsOver is_over) {
     constexpr int kTimes = 200;  // one to two hundred microseconds
     for (int i = 0; i < kTimes && !is_over(); ++i) std::this_thread::yield();
   }
@@ -55,7 +64,7 @@ class Crew {
   std::vector<std::thread> helpers_;
   std::mutex mutex_;
   std::condition_variable begun_, ended_;
-  // Changed under the mutex; who looks again reads them without.
+  // Changed under the mutex; spinning threads read them without.
   std::atomic<std::size_t> round_{0}, active_{0};  // rounds begun; helpers at work
   std::atomic<bool> ending_{false};
   bool open_ = false;
@@ -81,7 +90,7 @@ inline void Crew::each(std::size_t n, const std::function<void(std::size_t)>& wo
   }
   begun_.notify_all();
   take_items();
-  look_again([&] { return active_ == 0; });
+  spin([&] { return active_ == 0; });
   std::unique_lock lock(mutex_);
   open_ = false;
   ended_.wait(lock, [&] { return active_ == 0; });
@@ -99,7 +108,7 @@ inline void Crew::take_items() {
 
 inline void Crew::help() {
   for (std::size_t seen = 0;;) {
-    look_again([&] { return ending_ || round_ != seen; });
+    spin([&] { return ending_ || round_ != seen; });
     std::unique_lock lock(mutex_);
     begun_.wait(lock, [&] { return ending_ || (open_ && round_ != seen); });
     if (ending_) return;
@@ -112,4 +121,4 @@ inline void Crew::help() {
   }
 }
 
-}  // namespace whittle
+}  // namespace whittle::detail

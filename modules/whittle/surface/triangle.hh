@@ -1,14 +1,14 @@
 /// \file
-/// Points and measures of a single triangle.
+/// Centres and quality of a triangle, and its closest point.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace whittle {
+namespace whittle::detail {
 
-/// Circumcentre: equally far from all three corners (Paper 1, III.I). A degenerate triangle has none; then
-/// the middle of its longest edge.
+/// Circumcentre: equally far from all three corners (Paper 1, III.I). For a degenerate triangle, which has
+/// none, the midpoint of its longest edge.
 inline Eigen::Vector3d circumcenter(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                     const Eigen::Vector3d& c) {
   const Eigen::Vector3d ab = b - a, ac = c - a, n = ab.cross(ac);
@@ -80,7 +80,7 @@ Eigen::Matrix<Real, 3, 1> closest_point(const Eigen::Matrix<Real, 3, 1>& p,
   });
 }
 
-/// The square of the distance, more exact than by way of the closest point, whose coordinates are rounded.
+/// The square of the distance; more accurate than from `closest_point`, whose coordinates are rounded.
 template <typename Real>
 Real squared_distance(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Real, 3, 1>& a,
                       const Eigen::Matrix<Real, 3, 1>& b, const Eigen::Matrix<Real, 3, 1>& c) {
@@ -91,4 +91,4 @@ Real squared_distance(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Re
   });
 }
 
-}  // namespace whittle
+}  // namespace whittle::detail

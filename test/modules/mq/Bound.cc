@@ -8,9 +8,11 @@
 #include "whittle/surface/triangle.hh"
 
 using namespace whittle;
+using detail::Crew, detail::Rings;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 using meshes::IndexedMesh;
+using mq::Bound;
 
 namespace {
 
@@ -24,7 +26,8 @@ MemorylessQuadric within(double distance, std::size_t faces = 0) {
 double distance_to(const Vector3d& p, const IndexedMesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& t : mesh.triangles)
-    least = std::min(least, squared_distance(p, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+    least =
+        std::min(least, detail::squared_distance(p, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
   return std::sqrt(least);
 }
 
@@ -36,41 +39,39 @@ double farthest_vertex(const IndexedMesh& from, const IndexedMesh& to) {
 
 }  // namespace
 
-TEST_CASE("points go to the nearest face, and one that is far from all refuses the collapse") {
+TEST_CASE("mq's bound moves points to the nearest face, and refuses a collapse that takes one far from all") {
   // A point in the middle of four, on the faces 0 and 1 that are about to become the triangles of a square.
   const std::vector<Vector3f> points{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1.5f, 0.5f, 0.25f}};
   const std::vector<Rings::Triangle> input{{4, 0, 1}, {4, 1, 2}, {4, 2, 3}, {4, 3, 0}};
-  const auto sorted = [&](float distance) {
-    MemorylessQuadricBound bound(points, Rings(input, 5, false, 1), std::vector<float>(5, distance), 4);
-    REQUIRE_FALSE(bound.empty());
+  Crew alone(1);
+  const auto allowed = [&](float distance) {
+    Bound bound(points, Rings(input, 5, false, alone), std::vector<float>(5, distance), 4);
     bound.put(4, 0);
-    MemorylessQuadricBound::Sorting sorting;
-    sorting.faces = {0, 1, 2, 3};
-    sorting.triangles = {{2, points[2], points[3], points[0]}, {1, points[0], points[1], points[2]}};
-    const bool is_allowed = bound.sort(sorting);
-    if (is_allowed) {
-      REQUIRE(sorting.moves.size() == 1);
-      CHECK(sorting.moves[0].first == 4);
-      CHECK(sorting.moves[0].second == 1);
-    }
-    return is_allowed;
+    Bound::Change change;
+    change.faces = {0, 1, 2, 3};
+    change.triangles = {{2, points[2], points[3], points[0]}, {1, points[0], points[1], points[2]}};
+    if (!bound.allows(change)) return false;
+    REQUIRE(change.moves.size() == 1);
+    CHECK(change.moves[0].first == 4);
+    CHECK(change.moves[0].second == 1);
+    return true;
   };
-  CHECK(sorted(0.26f));
-  CHECK_FALSE(sorted(0.24f));
-  CHECK(MemorylessQuadricBound().empty());
+  CHECK(allowed(0.26f));
+  CHECK_FALSE(allowed(0.24f));
 }
 
-TEST_CASE("a face that lies far from the input is refused, though all points are near it") {
+TEST_CASE("mq's bound refuses a face that lies far from the input, though all points are near it") {
   // The input is a strip; the new face spans far to its side.
   const std::vector<Vector3f> points{{0, 0, 0}, {1, 0, 0}, {0, 0.1f, 0}};
-  MemorylessQuadricBound bound(points, Rings({{0, 1, 2}}, 3, false, 1), std::vector<float>(3, 0.2f), 1);
+  Crew alone(1);
+  Bound bound(points, Rings({{0, 1, 2}}, 3, false, alone), std::vector<float>(3, 0.2f), 1);
   bound.put(0, 0);
-  MemorylessQuadricBound::Sorting sorting;
-  sorting.faces = {0};
-  sorting.triangles = {{0, {0, 0, 0}, {1, 0, 0}, {0, 0.25f, 0}}};
-  CHECK(bound.sort(sorting));
-  sorting.triangles = {{0, {0, 0, 0}, {1, 0, 0}, {0, 3, 0}}};
-  CHECK_FALSE(bound.sort(sorting));
+  Bound::Change change;
+  change.faces = {0};
+  change.triangles = {{0, {0, 0, 0}, {1, 0, 0}, {0, 0.25f, 0}}};
+  CHECK(bound.allows(change));
+  change.triangles = {{0, {0, 0, 0}, {1, 0, 0}, {0, 3, 0}}};
+  CHECK_FALSE(bound.allows(change));
 }
 
 TEST_CASE("mq keeps every vertex of the input within its largest distance, and goes on elsewhere") {
@@ -92,13 +93,15 @@ TEST_CASE("every beginning of a bounded mq plan keeps the bound") {
     CHECK(farthest_vertex(mesh, execute(plan, mesh, n).mesh) <= 0.02 * 1.0001);
 }
 
-TEST_CASE("a bound that nothing comes near changes nothing, and one of nothing keeps what is curved") {
+TEST_CASE(
+    "mq with a bound that nothing comes near plans as without one, and with one of 0 collapses nothing "
+    "curved") {
   const IndexedMesh torus = meshes::shaken(meshes::torus(48, 24), 0.004, 1);
   CHECK(bulk(within(100, 500), torus).mesh.points == bulk(within(HUGE_VAL, 500), torus).mesh.points);
   CHECK(bulk(within(0), torus).collapses == 0);
 }
 
-TEST_CASE("a tolerance is a factor of the bound of each vertex") {
+TEST_CASE("a vertex's tolerance is a factor of mq's bound") {
   const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 24), 0.004, 1);
   SurfaceExtras extras;
   extras.tolerance.assign(mesh.points.size(), 1);
@@ -130,7 +133,7 @@ TEST_CASE("a bounded mq plans the same on any number of threads, also where the 
   }
 }
 
-TEST_CASE("the module has the bound, and scales it") {
+TEST_CASE("mq's module has the bound, and scales it") {
   using Mesh = fixture::Mesh;
   const IndexedMesh indexed = meshes::shaken(meshes::torus(48, 24), 0.004, 1);
   const auto faces = [&](double distance, double factor) {

@@ -5,7 +5,7 @@
 
 #include "catch.hh"
 
-using namespace whittle;
+using whittle::mq::BucketQueue;
 
 namespace {
 
@@ -64,7 +64,7 @@ TEST_CASE("a bucket queue stops below a bucket, and goes on from there") {
   CHECK_FALSE(pop(queue, item, 701));
 }
 
-TEST_CASE("a look ahead reaches into the next bucket and no further") {
+TEST_CASE("a bucket queue's look ahead reaches into the next bucket and no further") {
   BucketQueue queue;
   for (const std::uint32_t item : {1u, 2u}) queue.push(item, 700);
   for (const std::uint32_t item : {3u, 4u}) queue.push(item, 701);

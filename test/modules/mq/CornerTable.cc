@@ -5,16 +5,21 @@
 #include <set>
 
 #include "catch.hh"
-#include "measure/MeshFacts.hh"
 #include "meshes.hh"
-#include "whittle/mq/MortonOrder.hh"
-#include "whittle/mq/SymmetricMatrix.hh"
 #include "whittle/surface/Rings.hh"
 
-using namespace whittle;
+using namespace whittle::mq;
 using meshes::IndexedMesh;
+using whittle::Ring;
+using whittle::detail::Crew;
+using whittle::detail::Rings;
 
 namespace {
+
+struct Nothing {
+  std::uint64_t eight_bytes = 0;
+};
+using CornerTable = CornerTableT<Nothing>;
 
 CornerTable table_of(const IndexedMesh& mesh) {
   Crew crew(2);
@@ -30,7 +35,8 @@ std::vector<Rings::Triangle> alive(const CornerTable& table) {
 
 /// The table's neighbours, and the fans that it walks, are those of its living faces.
 void check_consistent(const CornerTable& table, std::size_t n_vertices) {
-  const Rings rings(alive(table), n_vertices, false, 1);
+  Crew alone(1);
+  const Rings rings(alive(table), n_vertices, false, alone);
   for (std::size_t f = 0; f < table.n_faces(); ++f)
     for (Corner c = corner_of(f); c < corner_of(f) + 3 && !table.is_dead(c); ++c) {
       const Corner d = table.twin(c);
@@ -106,40 +112,4 @@ TEST_CASE("a corner table follows any legal collapses") {
       }
     }
   }
-}
-
-TEST_CASE("Morton order renumbers and loses nothing") {
-  const IndexedMesh mesh = meshes::shaken(meshes::torus(24, 14), 0.02, 1);
-  const MortonOrder order(mesh, true);
-  std::vector<std::uint32_t> vertices = order.vertex;
-  std::sort(vertices.begin(), vertices.end());
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) REQUIRE(vertices[v] == v);
-  std::vector<Rings::Triangle> faces = order.triangles, expected = mesh.triangles;
-  for (auto& t : faces)
-    for (std::uint32_t& v : t) v = order.vertex[v];
-  REQUIRE(order.face.size() == faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) REQUIRE(faces[f] == mesh.triangles[order.face[f]]);
-  std::sort(faces.begin(), faces.end());
-  std::sort(expected.begin(), expected.end());
-  REQUIRE(faces == expected);
-  double near = 0, before = 0;
-  for (std::size_t v = 1; v < vertices.size(); ++v) {
-    near += (mesh.points[order.vertex[v]] - mesh.points[order.vertex[v - 1]]).norm();
-    before += (mesh.points[v] - mesh.points[v - 1]).norm();
-  }
-  CHECK(near < 2 * before);
-  CHECK(MortonOrder(IndexedMesh()).triangles.empty());
-  CHECK(MortonOrder(meshes::isolated_points(3)).vertex.size() == 3);
-}
-
-TEST_CASE("a symmetric matrix solves what it multiplies") {
-  const Eigen::Vector3f a(1, 2, -1), b(0, 1, 3), u(0.5f, -2, 4);
-  const SymmetricMatrix m =
-      SymmetricMatrix::outer(a, 2) + SymmetricMatrix::outer(b, 0.5f) + SymmetricMatrix::identity(1);
-  Eigen::Vector3f pivots;
-  CHECK((m.solve(m * u, pivots) - u).norm() < 1e-5f);
-  CHECK(pivots.minCoeff() > 0);
-  CHECK(m.trace() == Approx(2 * 6 + 0.5 * 10 + 3));
-  SymmetricMatrix::outer(a, -1).solve(u, pivots);
-  CHECK_FALSE(pivots.minCoeff() > 0);
 }

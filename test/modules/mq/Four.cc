@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "catch.hh"
-#include "whittle/mq/PackedNormal.hh"
 
-using namespace whittle;
+using namespace whittle::mq;
 using Eigen::Vector3f;
 
 namespace {
@@ -113,42 +112,4 @@ TEST_CASE("reciprocal lengths, and none of a vector without length") {
   // What is shorter than floats can square must not weigh more than it is long.
   const Vector3f tiny(1e-25f, 0, 0);
   CHECK(SymmetricMatrix::outer(tiny, lengths[1]).xx <= tiny.x());
-}
-
-TEST_CASE("a packed normal is good to a fifth of a degree") {
-  Random random;
-  for (int round = 0; round < 100; ++round) {
-    std::array<Vector3f, 4> normals;
-    Eigen::Array<std::uint32_t, 4, 1> bits;
-    for (std::size_t i = 0; i < 4; ++i) {
-      normals[i] = round == 0 ? Vector3f(-Vector3f::Unit(i % 3)) : Vector3f(random.vector().normalized());
-      bits[static_cast<Eigen::Index>(i)] = PackedNormal(normals[i]).bits();
-    }
-    const FourVectors unpacked = PackedNormal::unpacked(bits);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vector3f v = lane(unpacked, static_cast<Eigen::Index>(i)) / PackedNormal::kLength;
-      CHECK((v - normals[i]).norm() < 0.0035f);
-      CHECK_FALSE(PackedNormal(normals[i]).is_none());
-    }
-  }
-  CHECK(PackedNormal().is_none());
-  CHECK(lane(PackedNormal::unpacked(Eigen::Array<std::uint32_t, 4, 1>::Zero()), 2).isZero());
-}
-
-TEST_CASE("things are handed over in fours, the last ones filled up") {
-  std::vector<int> taken;
-  std::vector<std::size_t> sizes;
-  const auto take = [&](const std::array<int, 4>& four, std::size_t n) {
-    sizes.push_back(n);
-    for (std::size_t i = n; i < 4; ++i) CHECK(four[i] == four[0]);
-    taken.insert(taken.end(), four.begin(), four.begin() + static_cast<std::ptrdiff_t>(n));
-  };
-  InFours<int, decltype(take)> fours(take);
-  fours.flush();
-  CHECK(sizes.empty());
-  for (int i = 0; i < 9; ++i) fours.add(i);
-  fours.flush();
-  fours.flush();
-  CHECK(sizes == std::vector<std::size_t>{4, 4, 1});
-  CHECK(taken == std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8});
 }

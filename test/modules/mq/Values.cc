@@ -58,8 +58,8 @@ MemorylessQuadric down_to(std::size_t faces) {
 
 }  // namespace
 
-TEST_CASE("a face's slope is that of its values") {
-  MemorylessQuadricValues values({1, 3, 6}, 1);
+TEST_CASE("mq takes a face's slope from its values") {
+  mq::Values values({1, 3, 6}, 1);
   const Vec p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);  // 1 + x + 5 y, weight: twice the area
   const auto term = values.term(p, q, r, values.at(0), values.at(1), values.at(2));
   CHECK(term.slopes[0].weight == Approx(2));
@@ -70,20 +70,20 @@ TEST_CASE("a face's slope is that of its values") {
   CHECK(term.form.zz == 0);
 }
 
-TEST_CASE("an edge along which the values are linear costs nothing, another what it should") {
-  MemorylessQuadricValues values({1, 3, 6}, 1);
+TEST_CASE("mq's values cost nothing along an edge where they are linear, and their slope across it") {
+  mq::Values values({1, 3, 6}, 1);
   const Vec p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
   const auto term = values.term(p, q, r, values.at(0), values.at(1), values.at(2));
   for (std::uint32_t v = 0; v < 3; ++v) values.add(v, term, 1);
   // From p to q by x along the edge the value changes by x, as the slope says.
-  const SymmetricMatrix own = term.form + values.along(0, 1, q - p, 0);
+  const mq::SymmetricMatrix own = term.form + values.along(0, 1, q - p, 0);
   CHECK((own * Vec(1, 0, 0)).dot(Vec(1, 0, 0)) == Approx(0).margin(1e-6));
   // Across it the value stays while the slope says 5: the weight times 5 squared.
   CHECK((own * Vec(0, 1, 0)).dot(Vec(0, 1, 0)) == Approx(50));
 }
 
-TEST_CASE("what is no number, and a sliver, have no slope") {
-  MemorylessQuadricValues values({1, NAN, 6}, 1);
+TEST_CASE("mq's values have no slope where one is NaN or the face is a sliver") {
+  mq::Values values({1, NAN, 6}, 1);
   const Vec p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
   CHECK(values.term(p, q, r, values.at(0), values.at(1), values.at(2)).slopes[0].weight == 0);
   const float ok[] = {1, 2, 3};
@@ -101,7 +101,7 @@ TEST_CASE("mq spends faces where values change if it is told to") {
   CHECK(b.euler_characteristic == a.euler_characteristic);
 }
 
-TEST_CASE("values do not depend on the unit, on an offset, or on values that say nothing") {
+TEST_CASE("mq's values may have an offset, and constant ones beside them") {
   const IndexedMesh grid = meshes::flat_grid(30);
   BulkOptions options = spot_options(grid, 2), offset = options, doubled = options;
   for (float& value : offset.extras.values) value += 64;
@@ -115,7 +115,7 @@ TEST_CASE("values do not depend on the unit, on an offset, or on values that say
         Approx(error_of_spot(plain.mesh)).epsilon(0.2));
 }
 
-TEST_CASE("the module takes its values from the mesh, as far as that has them") {
+TEST_CASE("mq's module takes its values from the mesh, as far as that has them") {
   using Mesh = fixture::Mesh;
   const IndexedMesh grid = meshes::flat_grid(kSide);
   Mesh mesh = fixture::to_openmesh<Mesh>(grid);
@@ -162,34 +162,11 @@ TEST_CASE("the module takes its values from the mesh, as far as that has them") 
   CHECK_THROWS_AS(plan({0, -1, 0}), InvalidParameter);
 }
 
-TEST_CASE("values of another size than the mesh are refused") {
+TEST_CASE("mq refuses values of another size than the mesh") {
   BulkOptions options;
   options.extras.n_values = 1;
   CHECK_THROWS_AS(bulk(down_to(2), meshes::flat_grid(3), options), InvalidParameter);
   options.extras.n_values = 13;
   options.extras.values.assign(13 * 9, 0.0f);
   CHECK_THROWS_AS(bulk(down_to(2), meshes::flat_grid(3), options), InvalidParameter);
-}
-
-TEST_CASE("feature edges keep their line") {
-  // Two planes at 37 degrees, with noise: the ridge runs along y at x = 0.
-  IndexedMesh mesh =
-      meshes::grid(41, [](std::uint32_t i, std::uint32_t) { return 0.33 * std::abs(20.0 - i); });
-  mesh = meshes::shaken(mesh, 0.12, 4);
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    if (v % 41 == 20) mesh.points[v] = Eigen::Vector3d(20, mesh.points[v].y(), 0);
-  MemorylessQuadric plain = down_to(120), held = plain;
-  held.feature_angle = 30;
-  const auto off_ridge = [](const IndexedMesh& out) {  // the ridge's vertices: near it in x
-    double worst = 0;
-    for (const auto& p : out.points)
-      if (std::abs(p.x() - 20) < 0.6) worst = std::max(worst, std::hypot(p.x() - 20, p.z()));
-    return worst;
-  };
-  const auto with = bulk(held, mesh), without = bulk(plain, mesh);
-  CHECK(with.mesh.triangles.size() <= 120);
-  CHECK(off_ridge(with.mesh) < 0.5 * off_ridge(without.mesh));
-  CHECK(measure::facts(with.mesh).boundary_loops == 1);
-  held.feature_angle = 181;
-  CHECK_THROWS_AS(held.validate(), InvalidParameter);
 }

@@ -60,7 +60,7 @@ TEST_CASE("VT with the literal circumcentre leaves an obtuse triangle") {
     const Vector3d a(-0.2, 0, 0), b(0.2, 0, 0), c(0, 0.15, 0);
     const CollapsePlan merged = plan(literal(), meshes::triangle_in_hexagon(a, b, c, 1));
     REQUIRE(merged.collapses.size() == 2);
-    CHECK(merged.collapses[1].target.isApprox(circumcenter(a, b, c), 1e-15));
+    CHECK(merged.collapses[1].target.isApprox(detail::circumcenter(a, b, c), 1e-15));
     CHECK(merged.collapses[1].target.y() < 0);
   }
   SECTION("too far for the guard, which skips the triangle") {

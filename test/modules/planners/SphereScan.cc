@@ -63,7 +63,7 @@ TEST_CASE("SS merges three vertices to the centre of their circle") {
     const CollapsePlan merged = plan(within(0.5), acute());
     REQUIRE(merged.collapses.size() == 2);
     CHECK(merged.collapses[0].to == 0);
-    CHECK(merged.collapses[1].target.isApprox(circumcenter(kA, kB, kC), 1e-15));
+    CHECK(merged.collapses[1].target.isApprox(detail::circumcenter(kA, kB, kC), 1e-15));
   }
   SECTION("an obtuse triangle") {
     const CollapsePlan merged =

@@ -44,7 +44,7 @@ TEST_CASE("IVDD folds a triangle with two short edges to the centre of its circl
   const auto out = execute(plan(below(longer + 1e-12), mesh), mesh);
   CHECK(out.mesh.points.size() == 7);
   CHECK(out.mesh.triangles.size() == 6);
-  CHECK(out.mesh.points[0].isApprox(circumcenter(kA, kB, kC), 1e-15));
+  CHECK(out.mesh.points[0].isApprox(detail::circumcenter(kA, kB, kC), 1e-15));
 }
 
 TEST_CASE("IVDD needs two short edges to fold a triangle, whichever they are") {
@@ -63,7 +63,7 @@ TEST_CASE("IVDD with the literal circumcentre is off the triangle, or falls back
     const Eigen::Vector3d a(-0.2, 0, 0), b(0.2, 0, 0), c(0, 0.15, 0);
     const CollapsePlan folded = plan(planner, meshes::triangle_in_hexagon(a, b, c, 1));
     REQUIRE(folded.collapses.size() == 2);
-    CHECK(folded.collapses[0].target.isApprox(circumcenter(a, b, c), 1e-15));
+    CHECK(folded.collapses[0].target.isApprox(detail::circumcenter(a, b, c), 1e-15));
     CHECK(folded.collapses[0].target.y() < 0);
   }
   SECTION("far off: the triangle is refused and its shortest edge folds") {

@@ -58,7 +58,7 @@ TEST_CASE("VTD merges a triangle with three short edges as VT does, and folds an
   const double longer = std::sqrt(0.15625);
   const CollapsePlan whole = plan(below(longer + 1e-12), acute());
   REQUIRE(meshes::merges(whole) == Merges{{1, 0}, {2, 0}});
-  CHECK(whole.collapses[1].target.isApprox(circumcenter(kA, kB, kC), 1e-15));
+  CHECK(whole.collapses[1].target.isApprox(detail::circumcenter(kA, kB, kC), 1e-15));
   CHECK(whole.record.planned == 1);
 
   const CollapsePlan edge = plan(below(longer - 1e-12), acute());
@@ -80,7 +80,7 @@ TEST_CASE("VTD folds an obtuse triangle to the middle of its longest edge, or to
   CHECK(plan(planner, mesh).collapses[1].target == Vector3d(0, 0, 0));
   planner.placement = Vtd::Placement::circumcenter;
   REQUIRE(plan(planner, mesh).collapses.size() == 2);
-  CHECK(plan(planner, mesh).collapses[1].target.isApprox(circumcenter(a, b, c), 1e-15));
+  CHECK(plan(planner, mesh).collapses[1].target.isApprox(detail::circumcenter(a, b, c), 1e-15));
 }
 
 TEST_CASE("VTD folds the shortest edge where not all three are short, whichever it is") {

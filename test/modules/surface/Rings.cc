@@ -11,14 +11,15 @@
 #include "whittle/surface/Rings.hh"
 
 using whittle::Ring;
-using whittle::Rings;
-using whittle::RingShape;
+using whittle::detail::Rings;
+using whittle::detail::RingShape;
 using Triangles = std::vector<Rings::Triangle>;
 
 namespace {
 
 Rings rings_of(const Triangles& triangles, std::size_t n_vertices, std::size_t n_threads = 1) {
-  return {triangles, n_vertices, true, n_threads};
+  whittle::detail::Crew crew(n_threads);
+  return {triangles, n_vertices, true, crew};
 }
 
 /// A disc of `n` faces around vertex 0, or a fan of them if it is open; the faces in an order of their own.

@@ -1,5 +1,6 @@
 #include "whittle/surface/threads.hh"
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <string>
@@ -7,7 +8,7 @@
 
 #include "catch.hh"
 
-using whittle::Crew;
+using whittle::detail::Crew;
 
 TEST_CASE("a crew does every item of every round once") {
   for (const std::size_t n_threads : {1u, 2u, 4u}) {
@@ -16,6 +17,22 @@ TEST_CASE("a crew does every item of every round once") {
     for (std::size_t n = 0; n < 60; ++n) {
       std::vector<std::atomic<int>> done(n);
       crew.each(n, [&](std::size_t i) { ++done[i]; });
+      for (const auto& times : done) REQUIRE(times == 1);
+    }
+  }
+}
+
+TEST_CASE("a crew covers a range once, whatever the size of its pieces") {
+  Crew crew(3);
+  for (const std::size_t at_once : {1u, 7u, 50u, 100u}) {
+    for (const std::size_t n : {0u, 1u, 7u, 49u, 50u, 51u}) {
+      std::vector<std::atomic<int>> done(n);
+      std::atomic<bool> fits{true};
+      crew.each_range(n, at_once, [&](std::size_t begin, std::size_t end) {
+        if (begin >= end || end - begin > at_once || end > n) fits = false;
+        for (std::size_t i = begin; i < std::min(end, n); ++i) ++done[i];
+      });
+      CHECK(fits);
       for (const auto& times : done) REQUIRE(times == 1);
     }
   }

@@ -2,7 +2,7 @@
 
 #include "catch.hh"
 
-using namespace whittle;
+using namespace whittle::detail;
 using Eigen::Vector3d;
 
 TEST_CASE("the circumcentre is equally far from all corners") {

@@ -1,5 +1,5 @@
 /// \file
-/// The faces around an edge that stay when it collapses, and what becomes of them.
+/// The faces around an edge that remain when it collapses.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,25 +10,21 @@
 #include <cstdint>
 #include <vector>
 
-#include "whittle/mq/CornerTable.hh"
+#include "whittle/mq/Corner.hh"
 #include "whittle/mq/Four.hh"
 #include "whittle/mq/PackedNormal.hh"
 #include "whittle/mq/SymmetricMatrix.hh"
+#include "whittle/mq/Vertex.hh"
 
-namespace whittle {
+namespace whittle::mq {
 
-/// Collects the faces around the two ends, then turns them, four at a time.
-class MemorylessQuadricRing {
+/// The faces around an edge's two ends that remain when it collapses, and how their normals turn.
+class EdgeRing {
  public:
-  using Vec = Eigen::Vector3f;
-  struct Vertex {
-    Vec position;
-    std::uint32_t mark;  ///< for the mesh; four floats are read where three are meant
-  };
-  /// A face that stays, with its vertices counter-clockwise: the one that moves, and these.
+  /// A face with its vertices counter-clockwise: the one that moves, `from`, `to`.
   struct Side {
     std::uint32_t from, to;
-    Corner corner;        ///< the one that moves
+    Corner corner;        ///< at the vertex that moves
     PackedNormal normal;  ///< of the face in the input
   };
 
@@ -37,43 +33,43 @@ class MemorylessQuadricRing {
     if (n_ + 3 >= room_) sides_.resize(room_ = 2 * n_ + 8);
     sides_[n_++] = side;
   }
-  /// From here on faces at the other end are added.
-  void turn_over() { n_at_start_ = n_; }
+  /// From here on faces at the second end are added.
+  void begin_second_end() { n_at_start_ = n_; }
   std::size_t n_at_start() const { return n_at_start_; }
   std::size_t size() const { return n_; }
   const Side* begin() const { return sides_.data(); }
   const Side* end() const { return sides_.data() + n_; }
 
-  /// Moves the corners, at the one end and at the other, to `target`.
-  /// \param limit  the least cosine between a face's normals before and after, squared with its sign.
-  /// \return  whether no face turns too far, against its normal before or that in the input.
+  /// Moves the corners at both ends to `target`.
+  /// \param limit  the least cosine between a face's normals before and after, squared, with its sign.
+  /// \return false  a face turns too far against its normal before or against that in the input.
   bool turn(const std::vector<Vertex>& vertices, std::uint32_t start, std::uint32_t end, const Vec& target,
             float limit);
 
-  /// Calls `add(vertex, quadric)` for what the faces' turning changes at the two vertices that do not move.
-  /// \return  the sum of the turned faces' quadrics: what is now around the one that does
+  /// After `turn`: calls `add(vertex, change)` with the change of each face's quadric, for the two vertices
+  /// that do not move. \return  the sum of the quadrics after, for the vertex that does.
   template <typename Add>
   SymmetricMatrix update(Add add) const;
 
  private:
-  /// Four faces' normals, twice their areas long, with the squares of their lengths.
+  /// Normals of four faces, twice their areas long, and their squares.
   struct Turn {
     FourVectors before, after;
     Four before_square, after_square;
   };
-  /// Faces may turn so much less than 90 degrees against their packed normal in the input.
+  /// The square of the least cosine against the packed normal in the input: just under 90 degrees.
   static constexpr float kUpright = 1e-4f * PackedNormal::kLength * PackedNormal::kLength;
 
   std::vector<Side> sides_;
-  std::size_t room_ = 0, n_ = 0, n_at_start_ = 0;  // room for sides and three more
+  std::size_t room_ = 0, n_ = 0, n_at_start_ = 0;  // room is for three more than n
   std::vector<Turn> turns_;
 };
 
-inline bool MemorylessQuadricRing::turn(const std::vector<Vertex>& vertices, std::uint32_t start,
-                                        std::uint32_t end, const Vec& target, float limit) {
+inline bool EdgeRing::turn(const std::vector<Vertex>& vertices, std::uint32_t start, std::uint32_t end,
+                           const Vec& target, float limit) {
   if (n_ == 0) return true;
   if (turns_.size() < (n_ + 3) / 4) turns_.resize((n_ + 3) / 4);
-  std::fill_n(sides_.begin() + static_cast<std::ptrdiff_t>(n_), 3, sides_[n_ - 1]);  // may be turned too
+  std::fill_n(sides_.begin() + static_cast<std::ptrdiff_t>(n_), 3, sides_[n_ - 1]);  // fills up the last four
   const FourVectors there(Four(target.x()), Four(target.y()), Four(target.z()));
   for (std::size_t i = 0; i < n_; i += 4) {
     std::array<const float*, 4> moving, from, to;
@@ -104,7 +100,7 @@ inline bool MemorylessQuadricRing::turn(const std::vector<Vertex>& vertices, std
 }
 
 template <typename Add>
-SymmetricMatrix MemorylessQuadricRing::update(Add add) const {
+SymmetricMatrix EdgeRing::update(Add add) const {
   SymmetricMatrix sum;
   for (std::size_t i = 0; i < n_; i += 4) {
     const Turn& turn = turns_[i / 4];
@@ -120,4 +116,4 @@ SymmetricMatrix MemorylessQuadricRing::update(Add add) const {
   return sum;
 }
 
-}  // namespace whittle
+}  // namespace whittle::mq

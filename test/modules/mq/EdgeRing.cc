@@ -1,4 +1,4 @@
-#include "whittle/mq/Ring.hh"
+#include "whittle/mq/EdgeRing.hh"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -6,36 +6,34 @@
 #include <vector>
 
 #include "catch.hh"
+#include "whittle/surface/constants.hh"
 
-using namespace whittle;
+using namespace whittle::mq;
 using Eigen::Vector3f;
-using Ring = MemorylessQuadricRing;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// A vertex 0 in the middle of `n` others around it in a plane.
 struct Wheel {
   explicit Wheel(std::uint32_t n) {
     vertices.push_back({Vector3f::Zero(), 0});
     for (std::uint32_t i = 0; i < n; ++i) {
-      const double angle = 2 * kPi * i / n;
+      const double angle = 2 * whittle::detail::kPi * i / n;
       vertices.push_back({{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0}, 0});
     }
     for (std::uint32_t i = 0; i < n; ++i)
       ring.add({1 + i, 1 + (i + 1) % n, corner_of(i), PackedNormal(Vector3f::UnitZ())});
-    ring.turn_over();
+    ring.begin_second_end();
   }
-  std::vector<Ring::Vertex> vertices;
-  Ring ring;
+  std::vector<Vertex> vertices;
+  EdgeRing ring;
 };
 
 constexpr float kGuard = 0.2f * 0.2f;
 
 }  // namespace
 
-TEST_CASE("a ring turns any number of faces, and forgets the last one's") {
+TEST_CASE("an edge's ring turns any number of faces, and forgets those of the edge before") {
   for (std::uint32_t n = 3; n <= 13; ++n) {
     Wheel wheel(n);
     REQUIRE(wheel.ring.size() == n);
@@ -51,37 +49,37 @@ TEST_CASE("a ring turns any number of faces, and forgets the last one's") {
   }
 }
 
-TEST_CASE("the guard measures the turn against the face before") {
+TEST_CASE("an edge's ring measures turns against the face before") {
   Wheel wheel(6);
   // To the height h above the middle each face turns by the angle whose tangent is h over the rim's distance.
   const auto height = [](double degrees) {
-    return static_cast<float>(std::sqrt(0.75) * std::tan(degrees * kPi / 180));
+    return static_cast<float>(std::sqrt(0.75) * std::tan(degrees * whittle::detail::kPi / 180));
   };
-  const double most = std::acos(0.2) * 180 / kPi;
+  const double most = std::acos(0.2) * 180 / whittle::detail::kPi;
   CHECK(wheel.ring.turn(wheel.vertices, 0, 0, {0, 0, height(most - 0.1)}, kGuard));
   CHECK_FALSE(wheel.ring.turn(wheel.vertices, 0, 0, {0, 0, height(most + 0.1)}, kGuard));
   CHECK(wheel.ring.turn(wheel.vertices, 0, 0, {0, 0, height(most + 0.1)}, -1));
 }
 
-TEST_CASE("no face is turned over against the input, whatever the guard") {
+TEST_CASE("an edge's ring turns no face over against the input, whatever the guard") {
   Wheel wheel(6);
   for (const Vector3f& input : {Vector3f(0, 0, -1), Vector3f(1, 0, 0)}) {
-    Ring ring;
+    EdgeRing ring;
     for (const auto& side : wheel.ring) ring.add({side.from, side.to, side.corner, PackedNormal(input)});
     CHECK_FALSE(ring.turn(wheel.vertices, 0, 0, {0.1f, 0, 0}, -1));
   }
-  Ring ring;  // faces that had no normal in the input
+  EdgeRing ring;  // faces that had no normal in the input
   for (const auto& side : wheel.ring) ring.add({side.from, side.to, side.corner, PackedNormal()});
   CHECK(ring.turn(wheel.vertices, 0, 0, {0.1f, 0, 0}, -1));
 }
 
-TEST_CASE("the faces at the second end move there") {
+TEST_CASE("an edge's ring moves the faces at the second end from there") {
   // Two squares' halves side by side: 0 and 1 are the ends, the faces 0 2 3 and 1 4 5 stay.
-  const std::vector<Ring::Vertex> vertices{{{0, 0, 0}, 0},  {{1, 0, 0}, 0}, {{-1, 1, 0}, 0},
-                                           {{-1, 0, 0}, 0}, {{2, 0, 0}, 0}, {{2, 1, 0}, 0}};
-  Ring ring;
+  const std::vector<Vertex> vertices{{{0, 0, 0}, 0},  {{1, 0, 0}, 0}, {{-1, 1, 0}, 0},
+                                     {{-1, 0, 0}, 0}, {{2, 0, 0}, 0}, {{2, 1, 0}, 0}};
+  EdgeRing ring;
   ring.add({2, 3, 0, PackedNormal(Vector3f::UnitZ())});
-  ring.turn_over();
+  ring.begin_second_end();
   ring.add({4, 5, 4, PackedNormal(Vector3f::UnitZ())});
   CHECK(ring.n_at_start() == 1);
   CHECK(ring.turn(vertices, 0, 1, {0.5f, 0, 0}, kGuard));
@@ -95,25 +93,25 @@ TEST_CASE("the faces at the second end move there") {
   CHECK(changes[2].zz == 1);  // twice the area
 }
 
-TEST_CASE("where all faces are at the first end, the second end does not matter") {
+TEST_CASE("an edge's ring with all faces at the first end ignores the second end") {
   // Seen from 1, which lies beyond its far edge, the face would turn over.
-  const std::vector<Ring::Vertex> vertices{{{0, 0, 0}, 0}, {{0, 2, 0}, 0}, {{1, 1, 0}, 0}, {{-1, 1, 0}, 0}};
-  Ring ring;
+  const std::vector<Vertex> vertices{{{0, 0, 0}, 0}, {{0, 2, 0}, 0}, {{1, 1, 0}, 0}, {{-1, 1, 0}, 0}};
+  EdgeRing ring;
   ring.add({2, 3, 0, PackedNormal(Vector3f::UnitZ())});
-  ring.turn_over();
+  ring.begin_second_end();
   CHECK(ring.turn(vertices, 0, 1, {0, 0.1f, 0}, kGuard));
   CHECK_FALSE(ring.turn(vertices, 0, 1, {0, 1.1f, 0}, kGuard));
 }
 
-TEST_CASE("a face without area may turn anywhere") {
-  std::vector<Ring::Vertex> vertices{{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{2, 0, 0}, 0}};
-  Ring ring;
+TEST_CASE("an edge's ring lets a face without area turn anywhere") {
+  std::vector<Vertex> vertices{{{0, 0, 0}, 0}, {{1, 0, 0}, 0}, {{2, 0, 0}, 0}};
+  EdgeRing ring;
   ring.add({1, 2, 0, PackedNormal()});
   CHECK(ring.turn(vertices, 0, 0, {0, 1, 0}, kGuard));
   CHECK(ring.turn(vertices, 0, 0, {0, -1, 0}, kGuard));
 }
 
-TEST_CASE("an update gives the quadrics' change and the survivor's sum") {
+TEST_CASE("an edge's ring gives the change of the quadrics and the survivor's sum") {
   for (const std::uint32_t n : {3u, 4u, 5u, 9u}) {
     Wheel wheel(n);
     const Vector3f target(0.1f, -0.05f, 0.2f);

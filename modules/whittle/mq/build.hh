@@ -1,0 +1,200 @@
+/// \file
+/// From the input to the mesh that mq plans on.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "whittle/mq/Four.hh"
+#include "whittle/mq/InFours.hh"
+#include "whittle/mq/Mesh.hh"
+#include "whittle/mq/MortonOrder.hh"
+#include "whittle/mq/PackedNormal.hh"
+#include "whittle/mq/SymmetricMatrix.hh"
+#include "whittle/mq/lines.hh"
+#include "whittle/surface/IndexedMesh.hh"
+#include "whittle/surface/Rings.hh"
+#include "whittle/surface/Surface.hh"
+#include "whittle/surface/constants.hh"
+#include "whittle/surface/threads.hh"
+
+namespace whittle::mq {
+
+struct Options {
+  float min_cos;                       ///< of the flip guard
+  double feature_angle, max_distance;  ///< as MemorylessQuadric's
+};
+
+/// The faces, and the vertices without positions.
+inline Mesh connected(MortonOrder order, detail::Crew& crew) {
+  Mesh mesh;
+  mesh.input = std::move(order.vertex);
+  mesh.holds.resize(mesh.input.size(), kFree);
+  mesh.center = (order.low + order.high) / 2;
+  if ((order.high - order.low).maxCoeff() > 0) mesh.scale = (order.high - order.low).maxCoeff();
+  mesh.table = CornerTable(order.triangles, mesh.input.size(), crew);
+  for (std::uint32_t v = 0; v < mesh.input.size(); ++v)
+    if (mesh.table.first(v) == kNoCorner)
+      mesh.holds[v] = kUntouchable;
+    else
+      mesh.has_lines |= mesh.table.is_open(v);
+  mesh.partition = Partition(mesh.table);
+  return mesh;
+}
+
+inline void set_weights(Mesh& mesh, const std::vector<float>& tolerance) {
+  constexpr float kLeast = 1e-4f;  // its weight is still far from the largest float
+  mesh.weights.resize(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.weights.size(); ++i) {
+    const float least = std::max(kLeast, tolerance[mesh.input[i]]);
+    mesh.weights[i] = 1 / (least * least);
+  }
+}
+
+inline void set_values(Mesh& mesh, const SurfaceExtras& extras) {
+  const std::size_t n = extras.n_values;
+  std::vector<float> values(n * mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    for (std::size_t k = 0; k < n; ++k)
+      values[n * i + k] =
+          static_cast<float>(static_cast<double>(extras.values[n * mesh.input[i] + k]) / mesh.scale);
+  mesh.values = Values(std::move(values), n);
+}
+
+/// Adds a face to its corners: its plane, the slopes of its values, and the lines along its open edges.
+inline void add_face(Mesh& mesh, Corner f, SymmetricMatrix quadric) {
+  const auto& face = mesh.table.face(f);
+  Values& values = mesh.values;
+  if (!values.empty()) {
+    const auto& [a, b, c] = face.vertex;
+    const auto term = values.term(mesh.position(f), mesh.position(f + 1), mesh.position(f + 2), values.at(a),
+                                  values.at(b), values.at(c));
+    quadric += term.form;
+    for (const std::uint32_t v : face.vertex) values.add(v, term, 1);
+  }
+  for (const std::uint32_t v : face.vertex) mesh.quadrics[v] += quadric;
+  if (face.twin[0] != kNoCorner && face.twin[1] != kNoCorner && face.twin[2] != kNoCorner) return;
+  for (Corner c = f; c < f + 3; ++c) {
+    if (mesh.table.twin(c) != kNoCorner) continue;
+    const SymmetricMatrix line = line_quadric(mesh.edge(c));
+    mesh.quadrics[mesh.table.vertex(c)] += line;
+    mesh.quadrics[mesh.table.vertex(next(c))] += line;
+  }
+}
+
+/// Adds the first `n` of four faces, and notes their normals.
+inline void add_faces(Mesh& mesh, const std::array<Corner, 4>& faces, std::size_t n) {
+  std::array<const float*, 4> at_p, at_q, at_r;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [p, q, r] = mesh.table.face(faces[i]).vertex;
+    at_p[i] = mesh.vertices[p].position.data();
+    at_q[i] = mesh.vertices[q].position.data();
+    at_r[i] = mesh.vertices[r].position.data();
+  }
+  const FourVectors p = gathered(at_p), normal = (gathered(at_q) - p).cross(gathered(at_r) - p);
+  const Four square = normal.squaredNorm(), reciprocal = reciprocal_lengths(square);
+  const auto quadrics = apart(FourMatrices::outer(normal, reciprocal));
+  const Eigen::Matrix4f units =
+      transposed(reciprocal * normal.x(), reciprocal * normal.y(), reciprocal * normal.z(), square);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto unit = units.col(static_cast<Eigen::Index>(i));
+    if (unit[3] > kLeastLength * kLeastLength)
+      mesh.table.notes(faces[i]).normal = PackedNormal(unit.head<3>());
+    add_face(mesh, faces[i], quadrics[i]);
+  }
+}
+
+/// The faces of each part by itself, then those between parts: the same sums for any number of threads.
+inline void sum_quadrics(Mesh& mesh, detail::Crew& crew) {
+  const auto take = [&mesh](const std::array<Corner, 4>& faces, std::size_t n) { add_faces(mesh, faces, n); };
+  std::vector<std::vector<Corner>> between(mesh.partition.size());
+  crew.each(between.size(), [&](std::size_t i) {
+    InFours<Corner, decltype(take)> own(take);
+    for (std::size_t f = mesh.partition.first_face(i + 1); f < mesh.partition.first_face(i + 2); ++f) {
+      const Corner c = corner_of(f);
+      mesh.update_part(c);
+      if (mesh.table.notes(c).part == kNoPart)
+        between[i].push_back(c);
+      else
+        own.add(c);
+    }
+    own.flush();
+  });
+  InFours<Corner, decltype(take)> others(take);
+  for (const std::vector<Corner>& faces : between)
+    for (const Corner c : faces) others.add(c);
+  others.flush();
+}
+
+/// Marks edges between two faces whose normals differ by more than an angle, in radians, as lines.
+inline void mark_features(Mesh& mesh, double angle) {
+  const auto normal = [&](Corner c) {
+    return mesh.edge(c).cross(-mesh.edge(previous(c))).normalized().eval();
+  };
+  const auto least = static_cast<float>(std::cos(angle));
+  for (std::size_t f = 0; f < mesh.table.n_faces(); ++f)
+    for (Corner c = corner_of(f); c < corner_of(f) + 3; ++c) {
+      const Corner d = mesh.table.twin(c);
+      if (d == kNoCorner || d < c || !(normal(c).dot(normal(d)) < least)) continue;
+      mesh.table.notes(c).set_line(c);
+      mesh.table.notes(d).set_line(d);
+      mesh.has_features = mesh.has_lines = true;
+      for (const std::uint32_t v : {mesh.table.vertex(c), mesh.table.vertex(d)})
+        mesh.quadrics[v] += line_quadric(mesh.edge(c));
+    }
+}
+
+/// Vertices without a ring never move, so the bound leaves them out.
+inline void set_bound(Mesh& mesh, double distance, const std::vector<float>& tolerance, detail::Crew& crew) {
+  const std::size_t n = mesh.vertices.size();
+  std::vector<Vec> points(n);
+  std::vector<float> distances(n, static_cast<float>(distance / mesh.scale));
+  for (std::size_t v = 0; v < n; ++v) {
+    points[v] = mesh.vertices[v].position;
+    if (!tolerance.empty()) distances[v] *= tolerance[mesh.input[v]];
+  }
+  std::vector<detail::Rings::Triangle> triangles;
+  triangles.reserve(mesh.table.n_faces());
+  for (const auto& face : mesh.table.faces()) triangles.push_back(face.vertex);
+  mesh.bound.emplace(std::move(points), detail::Rings(triangles, n, false, crew), std::move(distances),
+                     triangles.size());
+  for (std::uint32_t v = 0; v < n; ++v)
+    if (mesh.table.first(v) != kNoCorner) mesh.bound->put(v, face_of(mesh.table.first(v)));
+}
+
+/// \param extras  as `detail::checked` returns them.
+template <typename Real>
+inline Mesh build(const IndexedMeshT<Real>& input, const SurfaceExtras& extras, const Options& options,
+                  detail::Crew& crew) {
+  MortonOrder order(input, !extras.reference_normals.empty());
+  const std::vector<std::uint32_t> input_face = std::move(order.face);
+  Mesh mesh = connected(std::move(order), crew);
+  mesh.min_cos = options.min_cos;
+  mesh.vertices.reserve(mesh.input.size());
+  for (std::size_t i = 0; i < mesh.input.size(); ++i) {
+    const std::uint32_t v = mesh.input[i];
+    const Eigen::Vector3d p = input.points[v].template cast<double>();
+    mesh.vertices.push_back({((p - mesh.center) * (1 / mesh.scale)).template cast<float>(), 0});
+    if (mesh.holds[i] == kFree && (extras.flags[v] & kHeld) != 0) mesh.holds[i] = kFixed;
+    mesh.all_free &= mesh.holds[i] == kFree;
+  }
+  mesh.quadrics.resize(mesh.vertices.size());
+  if (!extras.tolerance.empty()) set_weights(mesh, extras.tolerance);
+  if (extras.n_values > 0) set_values(mesh, extras);
+  sum_quadrics(mesh, crew);
+  if (options.feature_angle < 180) mark_features(mesh, options.feature_angle * detail::kPi / 180);
+  if (options.max_distance < HUGE_VAL) set_bound(mesh, options.max_distance, extras.tolerance, crew);
+  for (std::size_t f = 0; f < input_face.size(); ++f) {
+    const Vec normal = extras.reference_normals[input_face[f]].stableNormalized().template cast<float>();
+    mesh.table.notes(corner_of(f)).normal = normal.squaredNorm() > 0 ? PackedNormal(normal) : PackedNormal();
+  }
+  return mesh;
+}
+
+}  // namespace whittle::mq

@@ -1,0 +1,136 @@
+/// \file
+/// What the collapse of an edge changes.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "whittle/mq/Mesh.hh"
+#include "whittle/mq/SymmetricMatrix.hh"
+#include "whittle/mq/Worker.hh"
+#include "whittle/mq/lines.hh"
+#include "whittle/mq/place.hh"
+#include "whittle/plan/CollapsePlan.hh"
+
+namespace whittle::mq {
+
+/// \param normal  twice the face's area long.
+inline SymmetricMatrix face_quadric(const Vec& normal) {
+  const float length = normal.norm();
+  return length > 0 ? SymmetricMatrix::outer(normal, 1 / length) : SymmetricMatrix();
+}
+
+/// The face of `c` is about to vanish and its two other edges are about to become one, which shall be queued
+/// once if either of them is.
+/// \return a half-edge of it that has yet to be queued, or kNoCorner.
+inline Corner fuse(Mesh& mesh, Corner c) {
+  CornerTable& table = mesh.table;
+  const auto queued = [&](Corner at) { return at != kNoCorner && table.notes(at).is_queued(at); };
+  const Corner left = table.twin(next(c)), right = table.twin(previous(c));
+  if (mesh.has_features && (table.notes(c).is_line(next(c)) || table.notes(c).is_line(previous(c))))
+    for (const Corner at : {left, right})
+      if (at != kNoCorner) table.notes(at).set_line(at);
+  if (queued(left) && queued(right)) table.notes(right).clear_queued(right);
+  if (queued(left) || queued(right) || !(queued(next(c)) || queued(previous(c)))) return kNoCorner;
+  return left != kNoCorner ? left : right;
+}
+
+/// Takes out of the ring's quadrics what vanishes or changes with the collapse of `c`, and puts in what the
+/// faces that remain become.
+/// \param own  gains the survivor's faces.
+inline void update_ring(Mesh& mesh, Corner c, const Worker& worker, SymmetricMatrix& own) {
+  for (const Corner side : {c, mesh.table.twin(c)}) {
+    if (side == kNoCorner) continue;
+    const Corner tip = previous(side);
+    mesh.quadrics[mesh.table.vertex(tip)] -= face_quadric(mesh.edge(side).cross(-mesh.edge(tip)));
+  }
+  if (mesh.has_lines)
+    for (const std::uint32_t v : {mesh.table.vertex(c), mesh.table.vertex(next(c))})
+      for_each_line(mesh, v,
+                    [&](Corner half, std::uint32_t w) { mesh.quadrics[w] -= line_quadric(mesh.edge(half)); });
+  own +=
+      worker.ring.update([&](std::uint32_t v, const SymmetricMatrix& change) { mesh.quadrics[v] += change; });
+}
+
+/// The same for the values, whose terms depend on where the corners were and what values they had.
+/// \param along  the share of the end of the half-edge in the new values.
+inline void update_values(Mesh& mesh, Corner c, const Vec& target, float along, const Worker& worker,
+                          SymmetricMatrix& own) {
+  const CornerTable& table = mesh.table;
+  Values& values = mesh.values;
+  const std::uint32_t to = table.vertex(c), from = table.vertex(next(c));
+  const auto merged = values.between(to, from, std::clamp(along, 0.0f, 1.0f));
+  const auto add = [&](std::uint32_t v, const Values::Term& term, float factor) {
+    mesh.quadrics[v] += factor * term.form;
+    values.add(v, term, factor);
+  };
+  const auto term_of = [&](Corner at, const Vec& p, const float* value) {
+    const Corner q = next(at), r = previous(at);
+    return values.term(p, mesh.position(q), mesh.position(r), value, values.at(table.vertex(q)),
+                       values.at(table.vertex(r)));
+  };
+  for (const Corner side : {c, table.twin(c)}) {
+    if (side == kNoCorner) continue;
+    const Corner tip = previous(side);
+    add(table.vertex(tip), term_of(tip, mesh.position(tip), values.at(table.vertex(tip))), -1);
+  }
+  Values::Term sum;
+  for (const auto& side : worker.ring) {
+    const auto before =
+        term_of(side.corner, mesh.position(side.corner), values.at(table.vertex(side.corner)));
+    const auto after = term_of(side.corner, target, merged.data());
+    for (const std::uint32_t w : {side.from, side.to}) {
+      add(w, before, -1);
+      add(w, after, 1);
+    }
+    Values::add(sum, after);
+  }
+  own += sum.form;
+  values.set(to, merged, sum);
+}
+
+/// Collapses the edge that the worker has just judged.
+/// \param unqueued  half-edges of two queued edges that have become one, which is not queued; or kNoCorner.
+inline Collapse collapse(Mesh& mesh, Corner c, const Placement& placement, const Worker& worker,
+                         std::array<Corner, 2>& unqueued) {
+  CornerTable& table = mesh.table;
+  const std::uint32_t to = table.vertex(c), from = table.vertex(next(c));
+  const Vec e = mesh.edge(c), target = mesh.position(c) + placement.offset;
+  const Corner d = table.twin(c);
+  const float along = e.squaredNorm() > 0 ? placement.offset.dot(e) / e.squaredNorm() : 0.5f;
+  SymmetricMatrix quadric;
+  if (mesh.bound) mesh.bound->apply(worker.change);
+  update_ring(mesh, c, worker, quadric);
+  if (!mesh.values.empty()) update_values(mesh, c, target, along, worker, quadric);
+
+  const bool swap = mesh.keeps_end(c);
+  if (swap) std::swap(mesh.input[from], mesh.input[to]);  // the table merges the end into the start
+  unqueued = {fuse(mesh, c), d == kNoCorner ? kNoCorner : fuse(mesh, d)};
+  table.collapse(c);
+  table.notes(c).clear_edges();  // so that a queue can skip it without asking whether its face is dead
+  if (d != kNoCorner) table.notes(d).clear_edges();
+  mesh.vertices[to].position = target;
+  if (mesh.holds[from] == kFixed) mesh.holds[to] = kFixed;
+  if (!mesh.weights.empty()) mesh.weights[to] = std::max(mesh.weights[to], mesh.weights[from]);
+  if (mesh.has_lines)
+    for_each_line(mesh, to, [&](Corner half, std::uint32_t w) {
+      const SymmetricMatrix line = line_quadric(mesh.edge(half));
+      mesh.quadrics[w] += line;
+      quadric += line;
+    });
+  mesh.quadrics[to] = quadric;
+  if (worker.part == kNoPart) {
+    Corner at = table.first(to);
+    do {
+      mesh.update_part(at);
+      at = table.around(at);
+    } while (at != kNoCorner && at != table.first(to));
+  }
+  return {mesh.input[from], mesh.input[to], d == kNoCorner ? 1u : 2u,
+          std::clamp(swap ? 1 - along : along, 0.0f, 1.0f), mesh.center + mesh.scale * target.cast<double>()};
+}
+
+}  // namespace whittle::mq

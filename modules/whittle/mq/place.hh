@@ -1,0 +1,110 @@
+/// \file
+/// Where an edge's ends merge, and at what cost.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "whittle/mq/Four.hh"
+#include "whittle/mq/Mesh.hh"
+#include "whittle/mq/SymmetricMatrix.hh"
+#include "whittle/mq/Worker.hh"
+
+namespace whittle::mq {
+
+struct Placement {
+  Vec offset;  ///< from the start of the half-edge
+  float cost;
+};
+using Placements = std::array<Placement, 4>;
+
+/// Four edges by their vertices, with the quadrics there.
+struct FourEdges {
+  std::array<std::uint32_t, 4> start, end;
+  std::array<const SymmetricMatrix*, 4> at_start, at_end;
+};
+
+/// At the end that is held, or in the middle.
+inline Placement safe_place(const Vec& e, Hold a, Hold b, const SymmetricMatrix& at_a,
+                            const SymmetricMatrix& at_b) {
+  if (a == kFixed) return {Vec::Zero(), std::max(0.0f, e.dot(at_b * e))};
+  if (b == kFixed) return {e, std::max(0.0f, e.dot(at_a * e))};
+  const Vec middle = e / 2;
+  return {middle, std::max(0.0f, middle.dot((at_a + at_b) * middle))};
+}
+
+/// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
+/// slight pull to the middle that decides where the planes leave a direction open.
+inline Placements best_places(const Mesh& mesh, const FourEdges& edges) {
+  std::array<const float*, 4> starts, ends;
+  for (std::size_t i = 0; i < 4; ++i) {
+    starts[i] = mesh.vertices[edges.start[i]].position.data();
+    ends[i] = mesh.vertices[edges.end[i]].position.data();
+  }
+  const FourVectors e = gathered(ends) - gathered(starts);
+  const FourMatrices at_b = gathered(edges.at_end), sum = gathered(edges.at_start) + at_b;
+  const FourVectors pull_b = at_b * e;
+  const Four pull = 1e-5f * sum.trace();
+  const FourVectors middle = Four(0.5f) * e;
+  FourVectors pivots = e;
+  const FourVectors u = (sum + FourMatrices::identity(pull)).solve(pull_b + pull * middle, pivots);
+  const FourVectors off = u - middle;
+  const Four cost = (e - u).dot(pull_b) - pull * u.dot(off);
+  const Four least = pivots.x().min(pivots.y()).min(pivots.z()),
+             far = 4 * e.squaredNorm() - off.squaredNorm();
+  Placements placements;
+  Eigen::Matrix4f::Map(&placements[0].offset.x()) = transposed(u.x(), u.y(), u.z(), cost.max(0.0f));
+
+  // Zero times a number that is not finite is not zero.
+  const bool irregular = !(least.min(far).minCoeff() > 0 && (0 * (least + far)).sum() == 0);
+  if (irregular || !mesh.all_free || !mesh.weights.empty())
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t start = edges.start[i], end = edges.end[i];
+      const auto k = static_cast<Eigen::Index>(i);
+      const Hold a = mesh.holds[start], b = mesh.holds[end];
+      if (a + b != kFree || !(least[k] > 0 && far[k] >= 0))
+        placements[i] = safe_place(mesh.vertices[end].position - mesh.vertices[start].position, a, b,
+                                   *edges.at_start[i], *edges.at_end[i]);
+      if (!mesh.weights.empty()) placements[i].cost *= std::max(mesh.weights[start], mesh.weights[end]);
+    }
+  return placements;
+}
+
+/// Places four edges at once, which takes hardly longer than one; some may be the same.
+inline Placements place(const Mesh& mesh, const std::array<Corner, 4>& corners) {
+  FourEdges edges;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint32_t a = mesh.table.vertex(corners[i]), b = mesh.table.vertex(next(corners[i]));
+    edges.start[i] = a;
+    edges.end[i] = b;
+    edges.at_start[i] = &mesh.quadrics[a];
+    edges.at_end[i] = &mesh.quadrics[b];
+  }
+  if (mesh.values.empty()) return best_places(mesh, edges);
+  std::array<SymmetricMatrix, 8> sums;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint32_t a = edges.start[i], b = edges.end[i];
+    const Vec e = mesh.edge(corners[i]);
+    edges.at_start[i] = &(sums[i] = mesh.quadrics[a] + mesh.values.along(a, b, e, a));
+    edges.at_end[i] = &(sums[4 + i] = mesh.quadrics[b] + mesh.values.along(a, b, e, b));
+  }
+  return best_places(mesh, edges);
+}
+
+/// Prefetches the memory that `place` will read.
+inline void prefetch(const Mesh& mesh, Corner c, const Worker& worker) {
+#if defined(__GNUC__)
+  const auto& face = mesh.table.face(c);
+  if (worker.part != kNoPart && worker.part != face.notes.part) return;
+  if (face.vertex[0] == CornerTable::kDead) return;
+  for (const std::uint32_t v : face.vertex) {
+    __builtin_prefetch(&mesh.vertices[v]);
+    __builtin_prefetch(&mesh.quadrics[v]);
+  }
+#endif
+}
+
+}  // namespace whittle::mq
