@@ -1,9 +1,12 @@
 /// \file
-/// No code block of a page or of a header goes untested.
+/// No code block of a page or of a header goes untested, and no link of a page leads nowhere.
+#include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "Folder.hh"
 #include "catch.hh"
@@ -32,4 +35,29 @@ TEST_CASE("pages: each code block has a name and a test") {
   }
   for (const auto& name : untouched)
     FAIL_CHECK("test/docs/CMakeLists.txt lists a block that no page has: " << name);
+}
+
+TEST_CASE("pages: each link to a file of the repository leads to one") {
+  const std::filesystem::path root = WHITTLE_DOCS_TESTS "/../..";
+  std::vector<std::filesystem::path> pages;
+  for (const char* folder : {"", "assets", "docs", "docs/benchmarks", "docs/modules"})
+    for (const auto& entry : std::filesystem::directory_iterator(root / folder))
+      if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  REQUIRE(pages.size() > 20);
+
+  const std::regex link(R"(\]\(([^)#: ]+)(#[^)]*)?\))");
+  std::size_t n_links = 0;
+  for (const auto& page : pages) {
+    std::ifstream in(page);
+    bool is_code = false;
+    for (std::string line; std::getline(in, line);) {
+      if (line.compare(0, 3, "```") == 0) is_code = !is_code;
+      if (is_code) continue;
+      for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; ++it, ++n_links) {
+        INFO(page << ": " << (*it)[1]);
+        CHECK(std::filesystem::exists(page.parent_path() / (*it)[1].str()));
+      }
+    }
+  }
+  CHECK(n_links > 50);
 }
