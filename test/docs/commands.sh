@@ -79,7 +79,7 @@ check() {
     "bench/reproduce.sh"*)  # hands its options on
       command -v whittle-bench >/dev/null && known "$place" "$(cat "$source/$program"; whittle-bench --help)" "$line"
       ;;
-    bench/* | test/* | assets/* | ./bootstrap.sh*)
+    bench/*.sh* | test/*.sh* | assets/*.sh* | ./bootstrap.sh*)
       if [[ -x $source/$program ]]; then known "$place" "$(cat "$source/$program")" "$line"
       else fail "$place" "no such script: $program"; fi
       ;;
