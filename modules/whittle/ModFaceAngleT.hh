@@ -7,8 +7,8 @@
 
 namespace whittle {
 
-/// Removes vertices whose faces lie nearly in a plane. The parameters are those of FaceAngle; a setter throws
-/// InvalidParameter and changes nothing when its value is out of range.
+/// Removes vertices whose faces lie nearly in a plane. The parameters are those of FaceAngle: beside those below
+/// `set_boundary` and `set_flip_guard`.
 ///
 /// <!-- test: header_face_angle -->
 /// \code
@@ -49,14 +49,6 @@ class ModFaceAngleT : public ModPlannedT<MeshT, FaceAngle> {
   }
   void set_apex(FaceAngle::Apex apex) {
     this->change([&](FaceAngle& p) { p.apex = apex; });
-  }
-  /// Default: boundary vertices stay.
-  void set_boundary(Boundary boundary) {
-    this->change([&](FaceAngle& p) { p.boundary = boundary; });
-  }
-  /// Least cosine between a face's new and original normal. -1..1, default 0.2; -1 turns the flip guard off.
-  void set_flip_guard(double min_cos) {
-    this->change([&](FaceAngle& p) { p.guard.min_cos = min_cos; });
   }
 };
 

@@ -20,7 +20,8 @@ class ModFassT : public ModPlannedT<MeshT, Fass> {
   void set_max_normal_angle(double degrees) {
     this->change([&](Fass& p) { p.face_angle.max_normal_angle = degrees; });
   }
-  /// Neighbours nearer than this merge, in model units. >= 0; the default 0 merges nothing.
+  /// Neighbours nearer than this merge, in model units. >= 0. There is no default: without it, initialize() throws
+  /// NotReady.
   void set_radius(double radius) {
     this->change([&](Fass& p) { p.sphere_scan.radius = radius; });
   }

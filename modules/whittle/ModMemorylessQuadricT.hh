@@ -11,12 +11,13 @@
 
 namespace whittle {
 
-/// Down to a number of faces, as true to the shape as possible. The parameters are those of
-/// MemorylessQuadric.
+/// Down to a number of faces with the least change of shape. The parameters are those of MemorylessQuadric: beside those
+/// below `set_flip_guard`.
 ///
-/// Set the target here and decimate without one: the planner then knows how far it has to go. A decimater's
-/// own target cuts the plan off where it is, which is nearly as good. As survivors move, stock binary modules
-/// judge a collapse as if they did not.
+/// Set the target here and decimate without one: the planner then knows how far it has to go. A decimater's own target
+/// cuts the plan off where it is, which is nearly as good. Whittle's drivers throw NotReady where neither has a target
+/// and there is no bound; OpenMesh's own cannot tell, and go on until nothing is legal. Survivors move, but stock
+/// binary modules judge a collapse as if they did not.
 template <typename MeshT>
 class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
  public:
@@ -24,9 +25,13 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
 
   explicit ModMemorylessQuadricT(MeshT& mesh) : ModPlannedT<MeshT, MemorylessQuadric>(mesh) {}
 
-  /// So many faces or fewer; the default 0 goes on until nothing is legal.
+  /// So many faces or fewer; the default 0 is no target.
   void set_target_faces(std::size_t faces) {
     this->change([&](MemorylessQuadric& p) { p.target_faces = faces; });
+  }
+  /// So many vertices or fewer, isolated ones included; the default 0 is no target.
+  void set_target_vertices(std::size_t vertices) {
+    this->change([&](MemorylessQuadric& p) { p.target_vertices = vertices; });
   }
   /// Edges sharper than so many degrees between the normals of their faces keep their line. 0..180, default
   /// 180: none.
@@ -50,13 +55,9 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
     weights_ = weights;
     this->forget();
   }
-  /// Least cosine between a face's normals before and after a collapse. -1..1, default 0.2.
-  void set_flip_guard(double min_cos) {
-    this->change([&](MemorylessQuadric& p) { p.guard.min_cos = min_cos; });
-  }
 
  protected:
-  void describe(const MeshT& mesh, SurfaceExtras& extras) const override {
+  void describe(const MeshT& mesh, const IndexedMeshT<typename MeshT::Scalar>&, SurfaceExtras& extras) override {
     add_values(mesh, weights_, extras);
   }
 

@@ -24,33 +24,20 @@ class SweepDecimaterT : public DriverT<MeshT> {
 
   explicit SweepDecimaterT(Mesh& mesh) : Driver(mesh) {}
 
-  /// Adds a module. The first that has a plan is the one that the sweep follows.
-  template <typename Module>
-  bool add(OpenMesh::Decimater::ModHandleT<Module>& handle) {
-    if (!Driver::add(handle)) return false;
-    if (!planned_) planned_ = dynamic_cast<PlannedModule*>(&Driver::module(handle));
-    return true;
+  /// \throw NotReady  no module has a plan; and as DriverT.
+  bool initialize() {
+    if (!this->planned())
+      throw NotReady("SweepDecimaterT: no module has a plan; add one of Whittle's, or use LazyDecimaterT");
+    return Driver::initialize();
   }
 
-  template <typename Module>
-  bool remove(OpenMesh::Decimater::ModHandleT<Module>& handle) {
-    if (handle.is_valid() && planned_ == dynamic_cast<PlannedModule*>(&Driver::module(handle)))
-      planned_ = nullptr;
-    return Driver::remove(handle);
-  }
-
-  /// \return false  no module has a plan, or more than one module is not binary.
-  bool initialize() { return planned_ && Driver::initialize(); }
-
-  /// Planned collapses of the last run that were illegal or that another module forbade; 0 if it stopped
-  /// early.
-  std::size_t refused() const { return refused_; }
+  /// Planned collapses of the last run that were illegal or that another module forbade; 0 if it stopped early.
+  std::size_t refused() const { return this->report().refused; }
 
  protected:
   void run(bool only_selected) override {
-    refused_ = 0;
     std::vector<const Collapse*> pending;
-    for (const Collapse& collapse : planned_->plan().collapses) {
+    for (const Collapse& collapse : this->planned()->plan().collapses) {
       const VertexHandle from(static_cast<int>(collapse.from));
       if (!this->mesh_.status(from).deleted() && (!only_selected || this->mesh_.status(from).selected()))
         pending.push_back(&collapse);
@@ -65,7 +52,7 @@ class SweepDecimaterT : public DriverT<MeshT> {
       }
       pending.erase(still, pending.end());
     }
-    refused_ = pending.size();
+    this->report_.refused = pending.size();
   }
 
  private:
@@ -78,9 +65,6 @@ class SweepDecimaterT : public DriverT<MeshT> {
     this->execute(ci);
     return true;
   }
-
-  PlannedModule* planned_ = nullptr;
-  std::size_t refused_ = 0;
 };
 
 }  // namespace whittle

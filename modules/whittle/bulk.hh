@@ -36,11 +36,15 @@ struct BulkResultT : ExecutedT<Real> {
 
 /// Plans on a mesh and carries the plan out. The draft has tested every collapse for the link condition, so
 /// what was manifold stays so and nothing needs repair. For OpenMesh meshes see `to_indexed` and
-/// `to_openmesh`; to keep attributes and properties there, use SweepDecimaterT. \throw InvalidMesh       an
-/// index out of range, a coordinate that is not finite. \throw InvalidParameter  of the planner or of the
-/// options.
+/// `to_openmesh`; to keep attributes and properties there, use `decimate`.
+/// \throw InvalidMesh       an index out of range, a coordinate that is not finite.
+/// \throw InvalidParameter  of the planner or of the options.
+/// \throw NotReady          the planner has no threshold, target or bound, and `min_faces` is 0.
 template <typename Planner, typename Real>
 BulkResultT<Real> bulk(const Planner& planner, const IndexedMeshT<Real>& mesh, BulkOptions options = {}) {
+  if (!detail::has_end(planner) && options.min_faces == 0)
+    throw NotReady(
+        "bulk: nothing says where to stop: give the planner a target or a bound, or set min_faces");
   if (options.passes == 0) throw InvalidParameter("the number of passes must be at least 1");
   // A planner that needs no surface goes as far as it can in one pass.
   const std::size_t passes = detail::plans_without_surface<Planner, Real>::value ? 1 : options.passes;

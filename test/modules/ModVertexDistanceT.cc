@@ -17,7 +17,7 @@ TEST_CASE("ModVertexDistanceT folds a triangle to its centre") {
 TEST_CASE("every setter of ModVertexDistanceT reaches the planner, and bad values do not") {
   Mesh mesh;
   ModVertexDistanceT<Mesh> ivdd(mesh);
-  CHECK(ivdd.planner().max_distance == 0);
+  CHECK_FALSE(ivdd.planner().max_distance);
   CHECK(ivdd.name() == "VertexDistance");
   ivdd.set_max_distance(0.5);
   ivdd.set_placement(VertexDistance::Placement::circumcenter);

@@ -3,14 +3,23 @@
 #pragma once
 
 #include <OpenMesh/Tools/Decimater/BaseDecimaterT.hh>
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "whittle/openmesh/HalfedgeCollapse.hh"
+#include "whittle/openmesh/PlannedModule.hh"
+#include "whittle/openmesh/RunReport.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle {
 
-/// A decimater with the interface of OpenMesh's DecimaterT. A driver decides in `run` which collapse comes
-/// next. Unlike DecimaterT's, the targets count living vertices and faces, not deleted ones.
+/// A decimater with the interface of OpenMesh's DecimaterT. A driver decides in `run` which collapse comes next. Unlike
+/// DecimaterT
+/// - it counts living vertices and faces against a target, not deleted ones;
+/// - it throws NotReady where DecimaterT returns false or 0: without a module that decides the order, without
+///   `initialize()`, or where neither the run nor the module with a plan says where to stop;
+/// - `report()` says whether the target of the last run was reached, and why not.
 template <typename MeshT>
 class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
  public:
@@ -21,6 +30,40 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   using HalfedgeHandle = typename Mesh::HalfedgeHandle;
 
   explicit DriverT(Mesh& mesh) : Base(mesh), mesh_(mesh), connectivity_(mesh) {}
+
+  template <typename Module>
+  bool add(OpenMesh::Decimater::ModHandleT<Module>& handle) {
+    if (!Base::add(handle)) return false;
+    if (auto* planned = dynamic_cast<PlannedModule*>(&Base::module(handle))) planned_.push_back(planned);
+    return true;
+  }
+
+  template <typename Module>
+  bool remove(OpenMesh::Decimater::ModHandleT<Module>& handle) {
+    if (handle.is_valid())
+      planned_.erase(
+          std::remove(planned_.begin(), planned_.end(), dynamic_cast<PlannedModule*>(&Base::module(handle))),
+          planned_.end());
+    return Base::remove(handle);
+  }
+
+  /// Initialises all modules.
+  /// \return true
+  /// \throw NotReady  no module decides the order, or several do; a module has no threshold.
+  /// \throw InvalidMesh, InvalidParameter  of a module.
+  bool initialize() {
+    try {
+      if (Base::initialize()) return true;
+    } catch (...) {
+      this->set_uninitialized();
+      throw;
+    }
+    throw NotReady(
+        "initialize(): exactly one module must decide the order; add one, and set the others to binary");
+  }
+
+  /// What the last run came to.
+  const RunReport& report() const { return report_; }
 
   /// Executes up to `n_collapses` collapses, all that are allowed for 0.
   /// \return how many were executed.
@@ -44,10 +87,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   virtual void run(bool only_selected) = 0;
 
   /// Whether the target is met or the observer has called a halt.
-  bool finished() const {
-    return halted_ || collapses_ >= target_.collapses || vertices_ <= target_.vertices ||
-           faces_ <= target_.faces;
-  }
+  bool finished() const { return halted_ || is_target_met(); }
 
   /// What OpenMesh's decimaters call legal.
   bool is_legal(HalfedgeHandle h) {
@@ -56,6 +96,9 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     else  // faces may have more corners
       return this->is_collapse_legal(CollapseInfo(mesh_, h));
   }
+
+  /// The first module with a plan; null if there is none.
+  PlannedModule* planned() const { return planned_.empty() ? nullptr : planned_.front(); }
 
   /// Executes a legal collapse with all that belongs to it.
   void execute(CollapseInfo& ci) {
@@ -75,6 +118,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   Mesh& mesh_;
   HalfedgeCollapseT<Mesh> connectivity_;
+  RunReport report_;
 
  private:
   static constexpr std::size_t kNoLimit = ~std::size_t{0};
@@ -83,8 +127,13 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   };
 
   std::size_t start(const Target& target, bool only_selected) {
-    if (!this->is_initialized()) return 0;
+    if (!this->is_initialized()) throw NotReady("decimate() before initialize()");
+    const bool has_target = target.collapses < kNoLimit || target.vertices > 0 || target.faces > 0;
+    if (!has_target && planned() && !planned()->has_end())
+      throw NotReady(
+          "nothing says where to stop: give the module a target or a bound, or call decimate_to_faces()");
     target_ = target;
+    report_ = {};
     collapses_ = vertices_ = faces_ = 0;
     halted_ = false;
     for (int v = 0; v < static_cast<int>(mesh_.n_vertices()); ++v)
@@ -92,10 +141,44 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     for (int f = 0; f < static_cast<int>(mesh_.n_faces()); ++f)
       faces_ += !mesh_.status(typename Mesh::FaceHandle(f)).deleted();
     run(only_selected);
+    report_.collapses = collapses_;
+    report_.faces = faces_;
+    report_.vertices = vertices_;
+    report_.halted = halted_;
+    report_.target_reached = !has_target || is_target_met();
+    if (!report_.target_reached && !halted_) explain(only_selected);
     return collapses_;
   }
 
+  bool is_target_met() const {
+    return collapses_ >= target_.collapses || vertices_ <= target_.vertices || faces_ <= target_.faces;
+  }
+
+  /// Looks at every vertex that is left for the reason why it could not go.
+  void explain(bool only_selected) {
+    if (planned()) report_.record = planned()->plan().record;
+    for (int i = 0; i < static_cast<int>(mesh_.n_vertices()); ++i) {
+      const VertexHandle v(i);
+      if (mesh_.status(v).deleted() || mesh_.is_isolated(v)) continue;
+      bool is_legal_somewhere = false, is_allowed = false;
+      for (auto h = mesh_.cvoh_iter(v); h.is_valid() && !is_allowed; ++h) {
+        if (!is_legal(*h)) continue;
+        is_legal_somewhere = true;
+        is_allowed = this->collapse_priority(CollapseInfo(mesh_, *h)) >= 0;
+      }
+      const auto& status = mesh_.status(v);
+      const bool is_left_out = only_selected && !status.selected();
+      if (is_left_out || (!is_legal_somewhere && (status.locked() || status.feature())))
+        ++report_.held;
+      else if (!is_legal_somewhere)
+        ++report_.illegal;
+      else if (!is_allowed)
+        ++report_.forbidden;
+    }
+  }
+
   Target target_{};
+  std::vector<PlannedModule*> planned_;  // in the order in which they were added
   std::size_t collapses_ = 0, vertices_ = 0, faces_ = 0;
   bool halted_ = false;
 };

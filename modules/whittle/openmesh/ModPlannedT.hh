@@ -11,21 +11,14 @@
 #include <utility>
 #include <vector>
 
+#include "whittle/openmesh/PlannedModule.hh"
 #include "whittle/openmesh/attributes.hh"
 #include "whittle/openmesh/convert.hh"
 #include "whittle/plan/CollapsePlan.hh"
 #include "whittle/plan/plan_mesh.hh"
+#include "whittle/planners/ScanOrder.hh"
 
 namespace whittle {
-
-/// A module that has a plan; through it a driver such as SweepDecimaterT gets at the plan of any module.
-class PlannedModule {
- public:
-  virtual ~PlannedModule() = default;
-  /// The plan for the mesh as it is; made at the first call, and anew when a parameter or the mesh has
-  /// changed.
-  virtual const CollapsePlan& plan() = 0;
-};
 
 /// What has become of a plan in a decimater.
 struct PlanOutcome {
@@ -85,6 +78,30 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   /// The default 0 means as many as the machine runs at once.
   void set_threads(std::size_t threads) { threads_ = threads; }
 
+  // What planners have in common is set by the same names; a planner without the parameter has no such setter.
+
+  /// Least cosine between a face's new and original normal. -1..1, default 0.2; -1 turns the flip guard off.
+  /// \throw InvalidParameter  and the old value stays; so do all setters.
+  template <typename P = Planner>
+  auto set_flip_guard(double min_cos) -> decltype(std::declval<P&>().guard, void()) {
+    change([&](P& p) { p.guard.min_cos = min_cos; });
+  }
+  /// Whether boundary vertices may merge along the boundary. Default: they stay.
+  template <typename P = Planner>
+  auto set_boundary(Boundary boundary) -> decltype(std::declval<P&>().boundary, void()) {
+    change([&](P& p) { p.boundary = boundary; });
+  }
+  /// In which order merges are looked at. Default: by index, as in the papers.
+  template <typename P = Planner>
+  auto set_order(ScanOrder order) -> decltype(std::declval<P&>().order, void()) {
+    change([&](P& p) { p.order = order; });
+  }
+  /// Where vertices merge. Default: as in the papers.
+  template <typename P = Planner>
+  void set_placement(typename P::Placement placement) {
+    change([&](P& p) { p.placement = placement; });
+  }
+
   /// A factor of the threshold for each vertex: 0 keeps the vertex, 1 is neutral, 2 doubles the length or
   /// angle. Where a threshold concerns several vertices, the least factor counts. An invalid handle takes it
   /// back.
@@ -105,10 +122,12 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
       for (std::size_t v = 0; v < mesh.n_vertices(); ++v)
         extras.tolerance.push_back(
             mesh.property(tolerance_, typename MeshT::VertexHandle(static_cast<int>(v))));
-    describe(mesh, extras);
-    const auto never = [](const auto&) { return false; };
+    describe(mesh, indexed, extras);
+    const auto enough = [&](const auto& stages) {
+      return stages.n_faces() <= enough_faces_ || stages.n_vertices() <= enough_vertices_;
+    };
     plan_ = detail::plan_mesh(planner_.scaled(this->error_tolerance_factor_), indexed, std::move(extras),
-                              passes_, threads_, never)
+                              passes_, threads_, enough)
                 .plan;
     rank_.assign(indexed.points.size(), kNotPlanned);
     for (std::size_t i = 0; i < plan_.collapses.size(); ++i)
@@ -122,6 +141,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     if (n_planned_vertices_ != this->mesh().n_vertices()) initialize();
     return plan_;
   }
+
+  bool has_end() const override { return detail::has_end(planner_); }
 
   float collapse_priority(const CollapseInfo& ci) override {
     const Collapse* collapse = planned(ci);
@@ -198,8 +219,16 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
  protected:
-  /// Adds what else the planner is to know of the mesh.
-  virtual void describe(const MeshT& /*mesh*/, SurfaceExtras& /*extras*/) const {}
+  /// Adds what else the planner is to know of the mesh; `extras.flags` has what the user said of each vertex.
+  virtual void describe(const MeshT& /*mesh*/, const IndexedMeshT<typename MeshT::Scalar>& /*indexed*/,
+                        SurfaceExtras& /*extras*/) {}
+
+  /// Plans no further pass once so few faces or vertices are left.
+  void set_enough(std::size_t faces, std::size_t vertices) {
+    enough_faces_ = faces;
+    enough_vertices_ = vertices;
+    forget();
+  }
 
   /// Plans anew when next asked.
   void forget() { n_planned_vertices_ = kNoPlan; }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -102,6 +103,25 @@ const SurfaceT<Real>& StagesT<Real>::surface() {
   face_ = std::move(face);
   return *current_;
 }
+
+namespace detail {
+
+template <typename Planner, typename = void>
+struct HasEnd {
+  static bool of(const Planner&) { return true; }
+};
+template <typename Planner>
+struct HasEnd<Planner, std::void_t<decltype(std::declval<const Planner&>().has_end())>> {
+  static bool of(const Planner& planner) { return planner.has_end(); }
+};
+
+/// Whether a planner stops by itself: one with a threshold does, one that says otherwise by `has_end()` does not.
+template <typename Planner>
+bool has_end(const Planner& planner) {
+  return HasEnd<Planner>::of(planner);
+}
+
+}  // namespace detail
 
 /// The plan of a planner that is run several times.
 struct RepeatedPlan {

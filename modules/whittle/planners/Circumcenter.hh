@@ -49,13 +49,13 @@ CollapsePlan Circumcenter::plan(const SurfaceT<Real>& surface) const {
   const auto cost = [&](std::uint32_t f) {
     if (!is_open(f)) return HUGE_VAL;
     const auto& t = surface.triangle(f);
-    const Eigen::Vector3d target = place(surface, t, placement);
-    return PlaneQuadric(surface, t, target).error(target);
+    const Eigen::Vector3d target = detail::place(surface, t, placement);
+    return detail::PlaneQuadric(surface, t, target).error(target);
   };
-  scan(surface.n_faces(), order, cost, [&](std::uint32_t f) {
+  detail::scan(surface.n_faces(), order, cost, [&](std::uint32_t f) {
     if (!is_open(f)) return;
     const auto& t = surface.triangle(f);
-    const auto verdict = draft.merge(t, place(surface, t, placement));
+    const auto verdict = draft.merge(t, detail::place(surface, t, placement));
     draft.count_refusal(verdict);
     if (verdict == PlanDraftT<Real>::Verdict::accepted) merged[t[0]] = merged[t[1]] = merged[t[2]] = true;
   });

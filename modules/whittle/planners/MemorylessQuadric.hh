@@ -49,6 +49,10 @@ struct MemorylessQuadric {
     if (!(max_distance >= 0)) throw InvalidParameter("the largest distance must not be negative");
   }
 
+  /// Whether the parameters say where to stop. Otherwise the plan goes on until nothing is legal, which is what a
+  /// progressive mesh wants; `bulk`, `decimate` and Whittle's drivers then ask for a target of their own.
+  bool has_end() const { return target_faces > 0 || target_vertices > 0 || max_distance < HUGE_VAL; }
+
   /// With the bound times a factor; there is no other threshold.
   MemorylessQuadric scaled(double factor) const {
     MemorylessQuadric planner = *this;

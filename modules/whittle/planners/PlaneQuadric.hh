@@ -9,7 +9,7 @@
 
 #include "whittle/surface/Surface.hh"
 
-namespace whittle {
+namespace whittle::detail {
 
 /// The sum over the faces of area times squared distance from the face's plane, as a function of a point;
 /// twice that, to be exact. A face counts once for each of its corners among the vertices.
@@ -57,4 +57,4 @@ class PlaneQuadric {
   double c_ = 0;
 };
 
-}  // namespace whittle
+}  // namespace whittle::detail

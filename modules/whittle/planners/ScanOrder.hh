@@ -15,6 +15,8 @@ enum class ScanOrder {
   error   ///< the one whose merge adds the least error first, so that a target takes the cheapest merges
 };
 
+namespace detail {
+
 /// Calls `visit(i)` for each i below `n` in the order that is asked for; equally cheap ones by index.
 /// \param cost  of i on the input; HUGE_VAL where there is nothing to do. Only called for ScanOrder::error.
 template <typename Cost, typename Visit>
@@ -31,5 +33,7 @@ void scan(std::uint32_t n, ScanOrder order, Cost cost, Visit visit) {
   std::sort(ranked.begin(), ranked.end());
   for (const auto& [c, i] : ranked) visit(i);
 }
+
+}  // namespace detail
 
 }  // namespace whittle

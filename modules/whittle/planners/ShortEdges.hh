@@ -9,7 +9,7 @@
 
 #include "whittle/surface/Surface.hh"
 
-namespace whittle {
+namespace whittle::detail {
 
 /// Which edges of a triangle are shorter than a threshold and join two vertices that may merge.
 struct ShortEdges {
@@ -44,4 +44,4 @@ struct ShortEdges {
   }
 };
 
-}  // namespace whittle
+}  // namespace whittle::detail

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "whittle/plan/PlanDraft.hh"
@@ -25,7 +26,8 @@ namespace whittle {
 /// neighbour alone is tried. The paper's "until all points are not in the same grid" is passes until nothing
 /// changes: ModPlannedT::set_passes.
 struct SphereScan {
-  double radius = 0;  ///< model units, >= 0; a neighbour must lie nearer than this. 0 merges nothing.
+  /// A neighbour must lie nearer than this. Model units, >= 0; 0 merges nothing. To be set: there is no default.
+  std::optional<double> radius;
   enum class Placement {
     paper,   ///< two: midpoint; three: centre of the smallest enclosing circle; more: centroid
     quadric  ///< the point nearest to the planes of all faces around, weighted by area, at most half a radius
@@ -42,11 +44,11 @@ struct SphereScan {
   /// The planner with its threshold multiplied by `factor`, in [0, 1].
   SphereScan scaled(double factor) const {
     SphereScan planner = *this;
-    planner.radius *= factor;
+    if (radius) *planner.radius *= factor;
     return planner;
   }
 
-  /// \throw InvalidParameter
+  /// \throw InvalidParameter, NotReady  `radius` is not set.
   template <typename Real>
   CollapsePlan plan(const SurfaceT<Real>& surface) const;
 
@@ -65,7 +67,7 @@ struct SphereScan {
 };
 
 inline void SphereScan::validate() const {
-  if (!(radius >= 0 && std::isfinite(radius)))
+  if (radius && !(*radius >= 0 && std::isfinite(*radius)))
     throw InvalidParameter("SphereScan: the radius must be a finite length of at least 0");
   guard.validate();
 }
@@ -79,7 +81,7 @@ Eigen::Vector3d SphereScan::place(const SurfaceT<Real>& surface,
   if (members.size() == 3) center = detail::enclosing_center(at(0), at(1), at(2));
   if (placement == Placement::paper) return center;
 
-  return PlaneQuadric(surface, members, center).best(radius / 2);
+  return detail::PlaneQuadric(surface, members, center).best(*radius / 2);
 }
 
 template <typename Real>
@@ -94,7 +96,7 @@ void SphereScan::collect(const SurfaceT<Real>& surface, std::uint32_t v,
     const std::uint32_t w = ring[i];
     if (merged[w] || !surface.may_merge(v, w, boundary)) continue;
     if (surface.is_boundary(v) && i > 0 && i + 1 < ring.size()) continue;  // not along the boundary
-    const double reach = radius * std::min(surface.tolerance(v), surface.tolerance(w));
+    const double reach = *radius * std::min(surface.tolerance(v), surface.tolerance(w));
     const double distance = (surface.point(w) - surface.point(v)).squaredNorm();
     if (!(distance < reach * reach)) continue;
     cluster.members.push_back(w);
@@ -108,6 +110,7 @@ void SphereScan::collect(const SurfaceT<Real>& surface, std::uint32_t v,
 template <typename Real>
 CollapsePlan SphereScan::plan(const SurfaceT<Real>& surface) const {
   validate();
+  if (!radius) throw NotReady("SphereScan: radius is not set: how near must neighbours be to merge?");
   PlanDraftT<Real> draft(surface, guard);
   std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   Cluster cluster;
@@ -118,9 +121,9 @@ CollapsePlan SphereScan::plan(const SurfaceT<Real>& surface) const {
     collect(surface, v, merged, cluster);
     if (members.size() < 2) return HUGE_VAL;
     const Eigen::Vector3d target = place(surface, members);
-    return PlaneQuadric(surface, members, target).error(target);
+    return detail::PlaneQuadric(surface, members, target).error(target);
   };
-  scan(surface.n_vertices(), order, cost, [&](std::uint32_t v) {
+  detail::scan(surface.n_vertices(), order, cost, [&](std::uint32_t v) {
     collect(surface, v, merged, cluster);
     if (members.size() < 2) return;
     Verdict verdict = draft.merge(members, place(surface, members));

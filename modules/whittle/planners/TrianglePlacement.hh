@@ -21,7 +21,9 @@ enum class TrianglePlacement {
                  ///< enclosing circle than that circle's radius; of an edge likewise, from its middle
 };
 
-/// For a triangle.
+namespace detail {
+
+/// Where the vertices of a triangle merge.
 template <typename Real>
 Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint32_t, 3>& t,
                       TrianglePlacement placement) {
@@ -33,7 +35,7 @@ Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint3
   return PlaneQuadric(surface, t, center).best(radius);
 }
 
-/// For an edge. On the boundary always its middle, which keeps straight boundaries straight.
+/// Where the ends of an edge merge. On the boundary always its middle, which keeps straight boundaries straight.
 template <typename Real>
 Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint32_t, 2>& edge,
                       TrianglePlacement placement) {
@@ -41,5 +43,7 @@ Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint3
   if (placement != TrianglePlacement::quadric || surface.is_boundary(edge[0])) return middle;
   return PlaneQuadric(surface, edge, middle).best((b - a).norm() / 2);
 }
+
+}  // namespace detail
 
 }  // namespace whittle

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "whittle/plan/PlanDraft.hh"
 #include "whittle/planners/ScanOrder.hh"
@@ -22,7 +23,8 @@ namespace whittle {
 /// triangle that the flip guard or the link condition refuses folds its shortest edge instead, if that is
 /// allowed.
 struct VertexDistance {
-  double max_distance = 0;  ///< model units, >= 0; an edge must be shorter than this. 0 folds nothing.
+  /// An edge must be shorter than this. Model units, >= 0; 0 folds nothing. To be set: there is no default.
+  std::optional<double> max_distance;
   using Placement = TrianglePlacement;
   Placement placement = Placement::enclosing;
   ScanOrder order = ScanOrder::index;
@@ -35,17 +37,17 @@ struct VertexDistance {
   /// The planner with its threshold multiplied by `factor`, in [0, 1].
   VertexDistance scaled(double factor) const {
     VertexDistance planner = *this;
-    planner.max_distance *= factor;
+    if (max_distance) *planner.max_distance *= factor;
     return planner;
   }
 
-  /// \throw InvalidParameter
+  /// \throw InvalidParameter, NotReady  `max_distance` is not set.
   template <typename Real>
   CollapsePlan plan(const SurfaceT<Real>& surface) const;
 };
 
 inline void VertexDistance::validate() const {
-  if (!(max_distance >= 0 && std::isfinite(max_distance)))
+  if (max_distance && !(*max_distance >= 0 && std::isfinite(*max_distance)))
     throw InvalidParameter("VertexDistance: the distance must be a finite length of at least 0");
   guard.validate();
 }
@@ -53,33 +55,35 @@ inline void VertexDistance::validate() const {
 template <typename Real>
 CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
   validate();
+  if (!max_distance)
+    throw NotReady("VertexDistance: max_distance is not set: how short must an edge be to fold?");
   PlanDraftT<Real> draft(surface, guard);
   std::vector<std::uint8_t> folded(surface.n_vertices(), false);
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
-  const auto is_triangle = [&](const ShortEdges& edges, std::uint32_t f) {
+  const auto is_triangle = [&](const detail::ShortEdges& edges, std::uint32_t f) {
     return edges.count >= 2 && !surface.is_boundary(surface.triangle(f)[0]);
   };
   const auto cost = [&](std::uint32_t f) {
-    const ShortEdges edges(surface, f, max_distance, boundary, folded);
+    const detail::ShortEdges edges(surface, f, *max_distance, boundary, folded);
     if (edges.count == 0) return HUGE_VAL;
     const auto error = [&](const auto& members) {
-      const Eigen::Vector3d target = place(surface, members, placement);
-      return PlaneQuadric(surface, members, target).error(target);
+      const Eigen::Vector3d target = detail::place(surface, members, placement);
+      return detail::PlaneQuadric(surface, members, target).error(target);
     };
     return is_triangle(edges, f) ? error(surface.triangle(f)) : error(edges.ends(surface.triangle(f)));
   };
-  scan(surface.n_faces(), order, cost, [&](std::uint32_t f) {
-    const ShortEdges edges(surface, f, max_distance, boundary, folded);
+  detail::scan(surface.n_faces(), order, cost, [&](std::uint32_t f) {
+    const detail::ShortEdges edges(surface, f, *max_distance, boundary, folded);
     if (edges.count == 0) return;
     const auto& t = surface.triangle(f);
     const bool triangle = is_triangle(edges, f);
-    if (triangle && draft.merge(t, place(surface, t, placement)) == Verdict::accepted) {
+    if (triangle && draft.merge(t, detail::place(surface, t, placement)) == Verdict::accepted) {
       folded[t[0]] = folded[t[1]] = folded[t[2]] = true;
       return;
     }
     const auto ends = edges.ends(t);
-    const Verdict verdict = draft.merge(ends, place(surface, ends, placement));
+    const Verdict verdict = draft.merge(ends, detail::place(surface, ends, placement));
     draft.count_refusal(verdict);
     if (verdict != Verdict::accepted) return;
     folded[ends[0]] = folded[ends[1]] = true;

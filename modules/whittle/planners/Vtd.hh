@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "whittle/plan/PlanDraft.hh"
@@ -18,11 +19,11 @@ namespace whittle {
 ///
 /// Triangles are scanned in index order. Where all three edges are shorter than `max_distance`, the three
 /// vertices become one as in VT; else, if an edge is shorter, an edge folds to its midpoint. A vertex merges
-/// at most once a pass
-/// (*vertex lock*). A triangle that the flip guard or the link condition refuses folds its shortest edge
+/// at most once a pass (*vertex lock*). A triangle that the flip guard or the link condition refuses folds its shortest edge
 /// instead.
 struct Vtd {
-  double max_distance = 0;  ///< model units, >= 0; an edge must be shorter than this. 0 merges nothing.
+  /// An edge must be shorter than this. Model units, >= 0; 0 merges nothing. To be set: there is no default.
+  std::optional<double> max_distance;
   enum class Fold {
     shortest,  ///< the shortest edge
     literal  ///< the paper's words: of the first short edge's two neighbours, the longer. Doubles the error.
@@ -38,28 +39,28 @@ struct Vtd {
   /// The planner with its threshold multiplied by `factor`, in [0, 1].
   Vtd scaled(double factor) const {
     Vtd planner = *this;
-    planner.max_distance *= factor;
+    if (max_distance) *planner.max_distance *= factor;
     return planner;
   }
 
-  /// \throw InvalidParameter
+  /// \throw InvalidParameter, NotReady  `max_distance` is not set.
   template <typename Real>
   CollapsePlan plan(const SurfaceT<Real>& surface) const;
 
  private:
   /// The edge to fold, from corner i to the next.
   template <typename Real>
-  int choose(const SurfaceT<Real>& surface, std::uint32_t face, const ShortEdges& edges) const;
+  int choose(const SurfaceT<Real>& surface, std::uint32_t face, const detail::ShortEdges& edges) const;
 };
 
 inline void Vtd::validate() const {
-  if (!(max_distance >= 0 && std::isfinite(max_distance)))
+  if (max_distance && !(*max_distance >= 0 && std::isfinite(*max_distance)))
     throw InvalidParameter("Vtd: the distance must be a finite length of at least 0");
   guard.validate();
 }
 
 template <typename Real>
-int Vtd::choose(const SurfaceT<Real>& surface, std::uint32_t face, const ShortEdges& edges) const {
+int Vtd::choose(const SurfaceT<Real>& surface, std::uint32_t face, const detail::ShortEdges& edges) const {
   if (fold == Fold::shortest) return edges.shortest;
   // The paper asks for d12, then d13, then d23; here these are the edges 0, 2 and 1.
   const int first = edges.is_short[0] ? 0 : edges.is_short[2] ? 2 : 1;
@@ -73,19 +74,20 @@ int Vtd::choose(const SurfaceT<Real>& surface, std::uint32_t face, const ShortEd
 template <typename Real>
 CollapsePlan Vtd::plan(const SurfaceT<Real>& surface) const {
   validate();
+  if (!max_distance) throw NotReady("Vtd: max_distance is not set: how short must an edge be to count?");
   PlanDraftT<Real> draft(surface, guard);
   std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
   for (std::uint32_t f = 0; f < surface.n_faces(); ++f) {
-    const ShortEdges edges(surface, f, max_distance, boundary, merged);
+    const detail::ShortEdges edges(surface, f, *max_distance, boundary, merged);
     if (edges.count == 0) continue;
 
     const auto& t = surface.triangle(f);
     Verdict triangle = Verdict::accepted;
     int edge = -1;
     if (edges.count == 3 && !surface.is_boundary(t[0])) {
-      triangle = draft.merge(t, place(surface, t, placement));
+      triangle = draft.merge(t, detail::place(surface, t, placement));
       if (triangle == Verdict::accepted) {
         merged[t[0]] = merged[t[1]] = merged[t[2]] = true;
         continue;
@@ -98,7 +100,7 @@ CollapsePlan Vtd::plan(const SurfaceT<Real>& surface) const {
     if (merged[a] || merged[b] || !surface.may_merge(a, b, boundary))
       continue;  // literal: the edge is not short itself
     const std::array<std::uint32_t, 2> ends{a, b};
-    const Verdict verdict = draft.merge(ends, place(surface, ends, placement));
+    const Verdict verdict = draft.merge(ends, detail::place(surface, ends, placement));
     draft.count_refusal(verdict);
     if (verdict != Verdict::accepted) continue;
     merged[a] = merged[b] = true;

@@ -38,7 +38,7 @@ TEST_CASE(
   const std::vector<double> costs{3, 1, HUGE_VAL, 1, 2};
   const auto seen = [&](ScanOrder order) {
     std::vector<std::uint32_t> out;
-    scan(
+    detail::scan(
         5, order, [&](std::uint32_t i) { return costs[i]; }, [&](std::uint32_t i) { out.push_back(i); });
     return out;
   };
@@ -50,14 +50,14 @@ TEST_CASE("the quadric of the planes around a cube's corner has its least point 
   const IndexedMesh mesh = meshes::cube_corner(0.5);
   const SurfaceT<double> surface(mesh);
   const std::vector<std::uint32_t> around{0, 1, 2, 3};
-  const PlaneQuadric quadric(surface, around, {0.1, 0.1, 0.1});
+  const detail::PlaneQuadric quadric(surface, around, {0.1, 0.1, 0.1});
   CHECK(quadric.best(10).norm() < 1e-4);
   CHECK(quadric.error({0, 0, 0}) < 1e-12);
   CHECK((quadric.best(0.05) - Eigen::Vector3d(0.1, 0.1, 0.1)).norm() == Approx(0.05));
   // One face of area 1/2 in the plane z = 0: error is twice the area times the squared distance.
   const IndexedMesh triangle = meshes::lone_triangle();
   const SurfaceT<double> flat(triangle);
-  CHECK(PlaneQuadric(flat, std::vector<std::uint32_t>{0}, {0, 0, 5}).error({7, 7, 3}) == Approx(9));
+  CHECK(detail::PlaneQuadric(flat, std::vector<std::uint32_t>{0}, {0, 0, 5}).error({7, 7, 3}) == Approx(9));
 }
 
 TEMPLATE_TEST_CASE("by error, flat places go before hilly ones", "", Circumcenter, VertexDistance,

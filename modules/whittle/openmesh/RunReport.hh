@@ -1,0 +1,46 @@
+/// \file
+/// What a run of a driver came to, and why it went no further.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "whittle/plan/CollapsePlan.hh"
+
+namespace whittle {
+
+/// What a run of a driver came to. The second half says why there was no further collapse; it is filled in where a
+/// target was missed, and 0 otherwise.
+struct RunReport {
+  std::size_t collapses = 0;            ///< carried out in this run
+  std::size_t faces = 0, vertices = 0;  ///< left, without deleted ones
+  bool target_reached = true;           ///< true where none was given
+  bool halted = false;                  ///< the observer called a halt
+
+  std::size_t held =
+      0;  ///< vertices that are locked, features, or not selected where only selected ones may go
+  std::size_t illegal = 0;  ///< vertices that no legal collapse removes: link condition, boundary
+  std::size_t forbidden =
+      0;  ///< vertices with a legal collapse, which a module forbids: threshold, guard, constraint
+  std::size_t refused = 0;  ///< planned collapses that another module forbids, or that have become illegal
+  PlanRecord record;        ///< what the planner refused; empty without a module that has a plan
+
+  /// One line, in order of what weighs most for a user; empty where the target was reached.
+  std::string why() const {
+    if (target_reached) return {};
+    if (halted) return "the observer called a halt";
+    std::string text;
+    const auto add = [&](std::size_t n, const char* what) {
+      if (n > 0) text += (text.empty() ? "" : "; ") + std::to_string(n) + what;
+    };
+    add(held, " vertices are locked, features or not selected");
+    add(record.refused_by_flip_guard, " merges refused by the flip guard");
+    add(record.refused_by_link, " merges refused by the link condition");
+    add(refused, " planned collapses refused by other modules or illegal by now");
+    add(illegal, " vertices have no legal collapse");
+    add(forbidden, " vertices have legal collapses that the modules' thresholds or constraints forbid");
+    return text.empty() ? "nothing is left that could collapse" : text;
+  }
+};
+
+}  // namespace whittle
