@@ -57,7 +57,8 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
   }
 
  protected:
-  void describe(const MeshT& mesh, const IndexedMeshT<typename MeshT::Scalar>&, SurfaceExtras& extras) override {
+  void describe(const MeshT& mesh, const IndexedMeshT<typename MeshT::Scalar>&,
+                SurfaceExtras& extras) override {
     add_values(mesh, weights_, extras);
   }
 

@@ -37,11 +37,13 @@ struct DecimateOptions {
   /// MemorylessQuadric keeps a bound.
   double max_distance = HUGE_VAL;
 
-  bool lock_boundary = false;  ///< boundary vertices stay; otherwise they may merge along the boundary, if the planner's
-                               ///< parameters allow it (MemorylessQuadric always does)
+  bool lock_boundary =
+      false;  ///< boundary vertices stay; otherwise they may merge along the boundary, if the planner's
+              ///< parameters allow it (MemorylessQuadric always does)
   /// Both ends of an edge stay if the normals of its faces differ by more. Degrees, 0..180; 180: none.
   double lock_feature_angle = 180;
-  bool lock_selected = false;  ///< vertices with OpenMesh's status *selected* stay, as locked and feature ones always do
+  bool lock_selected =
+      false;  ///< vertices with OpenMesh's status *selected* stay, as locked and feature ones always do
 
   /// For each vertex a factor of `max_distance` and of the planner's threshold: 0 keeps the vertex, 1 is neutral.
   /// >= 0. An invalid handle: none.
@@ -61,8 +63,9 @@ struct DecimateReport {
   std::size_t faces_before = 0, vertices_before = 0;  ///< without elements that were deleted already
   std::size_t faces = 0, vertices = 0;                ///< left
   bool target_reached = true;                         ///< true where none was given
-  std::string why;        ///< why the target was not reached, in one line; else empty
-  std::size_t held = 0;   ///< vertices of the input that are locked, features, selected or on a locked boundary
+  std::string why;  ///< why the target was not reached, in one line; else empty
+  std::size_t held =
+      0;  ///< vertices of the input that are locked, features, selected or on a locked boundary
   std::size_t seams = 0;  ///< vertices of the input that stay because their texture coordinates differ
   PlanRecord record;      ///< merges planned, and refused by the flip guard and the link condition
   /// For each vertex of the input, by its index there, the vertex of the result that it became; kNoVertex if none.
@@ -94,7 +97,8 @@ struct Target {
 template <typename Planner, typename = void>
 struct takes_target : std::false_type {};
 template <typename Planner>
-struct takes_target<Planner, std::void_t<decltype(std::declval<Planner&>().target_faces)>> : std::true_type {};
+struct takes_target<Planner, std::void_t<decltype(std::declval<Planner&>().target_faces)>> : std::true_type {
+};
 
 /// \throw InvalidParameter
 inline Target make_target(const DecimateOptions& options, std::size_t n_faces) {
@@ -108,7 +112,8 @@ inline Target make_target(const DecimateOptions& options, std::size_t n_faces) {
     throw InvalidParameter("decimate: the feature angle must be in 0..180 degrees");
   Target target;
   if (options.ratio)
-    target.faces = std::max<std::size_t>(1, static_cast<std::size_t>(*options.ratio * static_cast<double>(n_faces)));
+    target.faces =
+        std::max<std::size_t>(1, static_cast<std::size_t>(*options.ratio * static_cast<double>(n_faces)));
   if (options.faces) target.faces = *options.faces;
   if (options.vertices) target.vertices = *options.vertices;
   return target;
@@ -127,9 +132,11 @@ Planner with_options(Planner planner, const DecimateOptions& options, const Targ
     planner.max_distance = std::min(planner.max_distance, options.max_distance);
   } else {
     if (options.max_distance < HUGE_VAL)
-      throw InvalidParameter("decimate: only MemorylessQuadric keeps max_distance; leave the bound or the planner out");
+      throw InvalidParameter(
+          "decimate: only MemorylessQuadric keeps max_distance; leave the bound or the planner out");
     if (options.values.any())
-      throw InvalidParameter("decimate: only MemorylessQuadric looks at values; leave them or the planner out");
+      throw InvalidParameter(
+          "decimate: only MemorylessQuadric looks at values; leave them or the planner out");
   }
   planner.validate();
   if (!has_end(planner))
@@ -145,7 +152,8 @@ std::size_t passes_of(const DecimateOptions& options, const Target& target) {
 
 /// Adds the locks that the shape decides.
 template <typename Real>
-void add_locks(const IndexedMeshT<Real>& mesh, const DecimateOptions& options, std::vector<std::uint8_t>& flags) {
+void add_locks(const IndexedMeshT<Real>& mesh, const DecimateOptions& options,
+               std::vector<std::uint8_t>& flags) {
   flags.resize(mesh.points.size(), 0);
   if (!options.lock_boundary && options.lock_feature_angle >= 180) return;
   const SurfaceT<Real> surface(mesh, {}, options.threads);
@@ -194,7 +202,8 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
     add_locks(indexed, *options_, extras.flags);
     if (options_->lock_selected)
       for (std::size_t v = 0; v < extras.flags.size(); ++v)
-        if (mesh.status(typename MeshT::VertexHandle(static_cast<int>(v))).selected()) extras.flags[v] |= kLocked;
+        if (mesh.status(typename MeshT::VertexHandle(static_cast<int>(v))).selected())
+          extras.flags[v] |= kLocked;
     if (options_->weight.is_valid()) add_weights(mesh, extras.tolerance);
     add_values(mesh, options_->values, extras);
     flags_ = extras.flags;
@@ -207,7 +216,8 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
     for (std::size_t v = 0; v < tolerance.size(); ++v) {
       const float weight = mesh.property(options_->weight, typename MeshT::VertexHandle(static_cast<int>(v)));
       if (!(weight > 0 && weight <= std::numeric_limits<float>::max()))
-        throw InvalidParameter("vertex " + std::to_string(v) + " has a weight that is not positive and finite");
+        throw InvalidParameter("vertex " + std::to_string(v) +
+                               " has a weight that is not positive and finite");
       tolerance[v] /= std::sqrt(weight);
     }
   }
@@ -264,7 +274,9 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
     throw InvalidParameter("decimate: lock_selected needs a mesh with vertex status");
   const detail::Statuses<Mesh> statuses(mesh);
   DecimateReport report;
-  const auto count = [](const auto& range) { return static_cast<std::size_t>(std::distance(range.begin(), range.end())); };
+  const auto count = [](const auto& range) {
+    return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+  };
   report.faces_before = count(mesh.faces());
   report.vertices_before = count(mesh.vertices());
   const detail::Target target = detail::make_target(options, report.faces_before);
@@ -300,11 +312,13 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
 /// \param extras  locks and tolerances of the vertices; those of the options are for OpenMesh meshes.
 /// \throw InvalidParameter, InvalidMesh, NotReady  as above; or an option that needs an OpenMesh mesh.
 template <typename Real, typename Planner = MemorylessQuadric>
-DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions& options, const Planner& planner = {},
-                          SurfaceExtras extras = {}) {
-  if (options.lock_selected || options.tolerance.is_valid() || options.weight.is_valid() || options.values.any())
+DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions& options,
+                          const Planner& planner = {}, SurfaceExtras extras = {}) {
+  if (options.lock_selected || options.tolerance.is_valid() || options.weight.is_valid() ||
+      options.values.any())
     throw InvalidParameter(
-        "decimate: lock_selected, tolerance, weight and values are for OpenMesh meshes; give arrays in the extras");
+        "decimate: lock_selected, tolerance, weight and values are for OpenMesh meshes; give arrays in the "
+        "extras");
   DecimatedT<Real> out;
   out.faces_before = mesh.triangles.size();
   out.vertices_before = mesh.points.size();
@@ -317,9 +331,10 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   const auto enough = [&](const auto& stages) {
     return target.any() && target.is_met(stages.n_faces(), stages.n_vertices());
   };
-  const CollapsePlan plan = detail::plan_mesh(ready, mesh, std::move(extras), detail::passes_of<Planner>(options, target),
-                                              options.threads, enough)
-                                .plan;
+  const CollapsePlan plan =
+      detail::plan_mesh(ready, mesh, std::move(extras), detail::passes_of<Planner>(options, target),
+                        options.threads, enough)
+          .plan;
   std::size_t n = 0;
   out.faces = out.faces_before;
   out.vertices = out.vertices_before;

@@ -34,7 +34,8 @@ void lock_features(const SurfaceT<Real>& surface, double degrees, std::vector<st
       return (surface.point(ring[face]) - p).cross(surface.point(ring[face + 1]) - p);
     };
     Eigen::Vector3d last = normal(ring.is_closed() ? n - 1 : 0);
-    for (std::size_t i = ring.is_closed() ? 0 : 1; i < n; ++i) {  // the edge to ring[i], between faces i - 1 and i
+    for (std::size_t i = ring.is_closed() ? 0 : 1; i < n;
+         ++i) {  // the edge to ring[i], between faces i - 1 and i
       const Eigen::Vector3d next = normal(i);
       const double lengths = last.norm() * next.norm();
       if (lengths > 0 && last.dot(next) < least_cos * lengths) {
