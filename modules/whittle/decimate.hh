@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -47,9 +48,9 @@ struct DecimateOptions {
 
   /// For each vertex a factor of `max_distance` and of the planner's threshold: 0 keeps the vertex, 1 is neutral.
   /// >= 0. An invalid handle: none.
-  OpenMesh::VPropHandleT<float> tolerance;
+  OpenMesh::VPropHandleT<float> tolerance = OpenMesh::VPropHandleT<float>();
   /// For each vertex how much its error counts: 1 is neutral, 4 as much as a tolerance of 1/2. > 0.
-  OpenMesh::VPropHandleT<float> weight;
+  OpenMesh::VPropHandleT<float> weight = OpenMesh::VPropHandleT<float>();
   /// Lets differences of normals, colours and texture coordinates count beside the shape, as lengths. Only
   /// MemorylessQuadric looks at them.
   ValueWeights values;
@@ -187,7 +188,9 @@ inline void conclude(const Target& target, bool has_bound, DecimateReport& repor
 template <typename MeshT, typename Planner>
 class ModDecimateT : public ModPlannedT<MeshT, Planner> {
  public:
-  DECIMATING_MODULE(ModDecimateT, MeshT, Decimate);
+  using Handle = OpenMesh::Decimater::ModHandleT<ModDecimateT>;
+  DECIMATER_MODNAME(Decimate)
+
   explicit ModDecimateT(MeshT& mesh) : ModPlannedT<MeshT, Planner>(mesh) {}
 
   void set_options(const DecimateOptions& options, const Target& target) {

@@ -1,7 +1,9 @@
 #include "whittle/SweepDecimaterT.hh"
 
 #include "OpenMeshFixture.hh"
+#include "whittle/LazyDecimaterT.hh"
 #include "whittle/ModFaceAngleT.hh"
+#include "whittle/ModMemorylessQuadricT.hh"
 #include "whittle/ModVertexDistanceT.hh"
 
 using namespace whittle;
@@ -51,16 +53,105 @@ TEST_CASE("the sweep needs a module with a plan") {
   Mesh mesh = fixture::to_openmesh<Mesh>(meshes::torus(8, 6));
   SweepDecimaterT<Mesh> decimater(mesh);
   OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
-  CHECK_FALSE(decimater.initialize());
+  CHECK_THROWS_AS(decimater.initialize(), NotReady);
   decimater.add(quadric);
-  CHECK_FALSE(decimater.initialize());
-  CHECK(decimater.decimate() == 0);
+  CHECK_THROWS_WITH(decimater.initialize(), Catch::Contains("LazyDecimaterT"));
+  CHECK_THROWS_AS(decimater.decimate(), NotReady);
   decimater.remove(quadric);
   ModFaceAngleT<Mesh>::Handle fad;
   decimater.add(fad);
+  CHECK_THROWS_AS(decimater.decimate(), NotReady);
   CHECK(decimater.initialize());
   decimater.remove(fad);
-  CHECK_FALSE(decimater.initialize());
+  CHECK_THROWS_AS(decimater.initialize(), NotReady);
+}
+
+TEST_CASE(
+    "a decimater without its threshold, target or one module that decides the order says what is missing") {
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::torus(8, 6));
+  SECTION("no threshold") {
+    SweepDecimaterT<Mesh> decimater(mesh);
+    ModVertexDistanceT<Mesh>::Handle ivdd;
+    decimater.add(ivdd);
+    CHECK_THROWS_WITH(decimater.initialize(), Catch::Contains("max_distance is not set"));
+    CHECK_FALSE(decimater.is_initialized());
+    decimater.module(ivdd).set_max_distance(0.3);
+    CHECK(decimater.initialize());
+    CHECK(decimater.decimate() > 0);
+  }
+  SECTION("no target for mq") {
+    SweepDecimaterT<Mesh> decimater(mesh);
+    ModMemorylessQuadricT<Mesh>::Handle mq;
+    decimater.add(mq);
+    REQUIRE(decimater.initialize());
+    CHECK_THROWS_WITH(decimater.decimate(), Catch::Contains("where to stop"));
+    CHECK(decimater.decimate_to_faces(0, 50) > 0);
+    CHECK(decimater.report().target_reached);
+    CHECK(decimater.report().faces == 50);
+  }
+  SECTION("two modules that decide the order") {
+    LazyDecimaterT<Mesh> decimater(mesh);
+    CHECK_THROWS_AS(decimater.initialize(), NotReady);
+    ModFaceAngleT<Mesh>::Handle fad;
+    OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
+    decimater.add(fad);
+    decimater.add(quadric);
+    CHECK_THROWS_AS(decimater.initialize(), NotReady);
+    decimater.module(fad).set_binary(true);
+    CHECK(decimater.initialize());
+  }
+}
+
+TEST_CASE("a driver reports why it has missed its target") {
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::shaken(meshes::torus(24, 14), 0.01, 5));  // 336 vertices
+  mesh.request_vertex_status();
+  mesh.request_face_normals();
+  mesh.update_face_normals();
+  for (int v = 0; v < 40; ++v) mesh.status(Mesh::VertexHandle(v)).set_locked(true);
+  SweepDecimaterT<Mesh> decimater(mesh);
+  ModVertexDistanceT<Mesh>::Handle ivdd;
+  decimater.add(ivdd);
+  decimater.module(ivdd).set_max_distance(0.2);
+  SECTION("locks and the threshold") {
+    REQUIRE(decimater.initialize());
+    decimater.decimate_to_faces(0, 2);
+    const RunReport& report = decimater.report();
+    CHECK_FALSE(report.target_reached);
+    CHECK(report.held == 40);
+    CHECK(report.refused == 0);
+    CHECK(report.vertices == 336 - report.collapses);
+    CHECK(report.faces == 672 - 2 * report.collapses);
+    CHECK(report.held + report.illegal + report.forbidden == report.vertices);
+    CHECK(report.why().find("40 vertices are locked") == 0);
+    CHECK(report.why().find("thresholds or constraints forbid") != std::string::npos);
+  }
+  SECTION("a constraint") {
+    OpenMesh::Decimater::ModNormalFlippingT<Mesh>::Handle flipping;
+    decimater.add(flipping);
+    decimater.module(flipping).set_max_normal_deviation(15);
+    REQUIRE(decimater.initialize());
+    decimater.decimate_to_faces(0, 2);
+    CHECK(decimater.report().refused > 0);
+    CHECK(decimater.report().why().find("refused by other modules") != std::string::npos);
+  }
+  SECTION("an observer") {
+    fixture::StopAfter stop(3);
+    decimater.set_observer(&stop);
+    REQUIRE(decimater.initialize());
+    decimater.decimate_to_faces(0, 2);
+    CHECK(decimater.report().halted);
+    CHECK(decimater.report().why() == "the observer called a halt");
+  }
+  SECTION("a target that is reached, or none") {
+    REQUIRE(decimater.initialize());
+    decimater.decimate_to_faces(0, 660);
+    CHECK(decimater.report().target_reached);
+    CHECK(decimater.report().faces == 660);
+    CHECK(decimater.report().why().empty());
+    decimater.decimate();
+    CHECK(decimater.report().target_reached);
+    CHECK(decimater.report().held == 0);
+  }
 }
 
 TEST_CASE("the sweep honours targets, selection, observers and constraints") {

@@ -7,6 +7,7 @@
 #include "whittle/SweepDecimaterT.hh"
 #include "whittle/compact.hh"
 #include "whittle/planners/Circumcenter.hh"
+#include "whittle/planners/MemorylessQuadric.hh"
 
 using namespace whittle;
 using meshes::IndexedMesh;
@@ -82,6 +83,8 @@ TEST_CASE("bulk heeds locks and refuses what it cannot use") {
   broken.triangles[3][1] = 96;
   CHECK_THROWS_AS(bulk(ivdd(9), broken), InvalidMesh);
   CHECK(bulk(ivdd(9), IndexedMesh()).mesh.triangles.empty());
+  CHECK_THROWS_AS(bulk(VertexDistance(), mesh), NotReady);
+  CHECK_THROWS_AS(bulk(MemorylessQuadric(), mesh), NotReady);
 }
 
 TEST_CASE("the result does not depend on the number of threads") {

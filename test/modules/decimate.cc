@@ -89,8 +89,8 @@ TEST_CASE("decimate keeps what the mesh carries, and the user's own status") {
   }
   mesh.update_face_normals();
   const DecimateReport report = decimate(mesh, to_ratio(0.2));
-  CHECK(report.faces == 25);
-  REQUIRE(mesh.n_faces() <= 25);
+  CHECK(report.faces == 24);  // of 128; a collapse takes two
+  REQUIRE(mesh.n_faces() == 24);
   CHECK(mesh.has_face_status());
   CHECK_FALSE(mesh.has_vertex_status());
   for (const auto v : mesh.vertices()) {
@@ -100,14 +100,14 @@ TEST_CASE("decimate keeps what the mesh carries, and the user's own status") {
     CHECK(std::abs(float(mesh.color(v)[0]) - p[0] * 10) <= 1);
     CHECK(report.vertex_map[static_cast<std::size_t>(mesh.property(number, v))] == std::uint32_t(v.idx()));
   }
-  for (const auto f : mesh.faces()) CHECK(mesh.normal(f)[2] == 1);
+  for (const auto f : mesh.faces()) CHECK(std::abs(mesh.normal(f)[2] - 1) < 1e-6);
 }
 
 TEST_CASE("decimate locks the boundary, features, and what is selected, locked or a feature") {
   SECTION("the boundary") {
     Mesh mesh = grid(9);
-    DecimateOptions options = to_ratio(0.01);
-    CHECK(decimate(mesh, options).target_reached == false);
+    DecimateOptions options = to_ratio(0.02);
+    CHECK(decimate(mesh, options).target_reached);
     CHECK(mesh.n_vertices() == 4);  // a flat square with a straight boundary
     mesh = grid(9);
     options.lock_boundary = true;
@@ -169,7 +169,7 @@ TEST_CASE("decimate heeds tolerances and weights of vertices, and a largest dist
   CHECK(by_tolerance > plain + 0.1);
   for (const auto v : mesh.vertices()) mesh.property(property, v) = mesh.point(v)[0] > 0 ? 400.0f : 1.0f;
   Mesh weighted = mesh;
-  options.tolerance = {};
+  options.tolerance = OpenMesh::VPropHandleT<float>();
   options.weight = property;
   CHECK(dense_half(weighted, options) == by_tolerance);
 

@@ -270,6 +270,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
 
   Planner planner_;
   std::size_t passes_ = 1, threads_ = 0;
+  std::size_t enough_faces_ = 0, enough_vertices_ = 0;
   OpenMesh::VPropHandleT<float> tolerance_;
   CollapsePlan plan_;
   std::vector<std::uint32_t> rank_;       // of the collapse that removes a vertex
