@@ -68,7 +68,7 @@ struct DecimateReport {
   std::size_t held =
       0;  ///< vertices of the input that are locked, features, selected or on a locked boundary
   std::size_t seams = 0;  ///< vertices of the input that stay because their texture coordinates differ
-  PlanRecord record;      ///< merges planned, and refused by the flip guard and the link condition
+  PlanRecord record;      ///< merges planned, and refused by flip guard, link condition and bound
   /// For each vertex of the input, by its index there, the vertex of the result that it became; kNoVertex if none.
   std::vector<std::uint32_t> vertex_map;
   static constexpr std::uint32_t kNoVertex = 0xffffffffu;
@@ -170,7 +170,7 @@ inline void count_held(const std::vector<std::uint8_t>& flags, DecimateReport& r
 }
 
 /// Fills in whether the target was reached, and why not.
-inline void conclude(const Target& target, bool has_bound, DecimateReport& report) {
+inline void conclude(const Target& target, DecimateReport& report) {
   report.target_reached = target.is_met(report.faces, report.vertices);
   if (report.target_reached) return;
   const auto add = [&](std::size_t n, const char* what) {
@@ -180,7 +180,7 @@ inline void conclude(const Target& target, bool has_bound, DecimateReport& repor
   add(report.seams, " vertices lie on seams");
   add(report.record.refused_by_flip_guard, " merges refused by the flip guard");
   add(report.record.refused_by_link, " merges refused by the link condition");
-  if (has_bound) report.why += std::string(report.why.empty() ? "" : "; ") + "max_distance allows no more";
+  add(report.record.refused_by_bound, " merges refused by max_distance");
   if (report.why.empty()) report.why = "no further merge is legal, or within the planner's threshold";
 }
 
@@ -303,7 +303,7 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   report.vertices = decimater.report().vertices;
   report.record = module.plan().record;
   detail::count_held(module.flags(), report);
-  detail::conclude(target, options.max_distance < HUGE_VAL, report);
+  detail::conclude(target, report);
   const std::vector<int> became = module.vertex_map();
   const Compaction compaction = compact(mesh);
   for (const int v : became)
@@ -350,7 +350,7 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   out.mesh = std::move(executed.mesh);
   out.vertex_map = std::move(executed.vertex_map);
   out.face_origin = std::move(executed.face_origin);
-  detail::conclude(target, options.max_distance < HUGE_VAL, out);
+  detail::conclude(target, out);
   return out;
 }
 

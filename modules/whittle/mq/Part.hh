@@ -45,6 +45,7 @@ class Part {
 
   std::vector<Done> done;     ///< in order; the caller empties it
   std::vector<Stray> strays;  ///< edges that reach into other parts; the caller empties it
+  PlanRecord refused;         ///< edges that stayed illegal to the end
 
  private:
   void enqueue(Corner c, std::size_t bucket) {
@@ -154,6 +155,10 @@ inline void Part::work(Corner c, const Placement& placement, std::size_t dearest
       if (at != kNoCorner) enqueue(at, queue_.bucket());  // placed when it is taken
   } else if (queue_.bucket() + 1 < BucketQueue::kBuckets) {
     enqueue(c, queue_.bucket() + 4 * BucketQueue::kBucketsPerOctave);  // it may become legal later
+  } else {
+    refused.refused_by_link += verdict == Verdict::breaks_link;
+    refused.refused_by_flip_guard += verdict == Verdict::turns_face;
+    refused.refused_by_bound += verdict == Verdict::breaks_bound;
   }
 }
 

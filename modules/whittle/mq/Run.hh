@@ -153,6 +153,8 @@ inline void Run::run(std::size_t target_faces, std::size_t target_vertices) {
     faces_per_edge_ =
         std::max(0.125, static_cast<double>(remaining - goal_.remaining()) / static_cast<double>(queued));
   }
+  plan_.record = seams_.refused;
+  for (const Part& part : parts_) plan_.record += part.refused;
   plan_.record.planned = plan_.collapses.size();
 }
 

@@ -12,7 +12,13 @@
 
 namespace whittle::mq {
 
-enum class Verdict { legal, illegal, elsewhere };  ///< elsewhere: the ring leaves the worker's part
+enum class Verdict {
+  legal,
+  elsewhere,     ///< the ring leaves the worker's part
+  breaks_link,   ///< the link condition, or a rule of the boundary
+  turns_face,    ///< the flip guard
+  breaks_bound,  ///< the largest distance
+};
 
 /// Whether an edge has been judged around either end since the worker had that stamp.
 inline bool is_touched(const Mesh& mesh, Corner c, const Worker& worker, std::uint32_t since) {
@@ -83,13 +89,13 @@ inline Verdict judge(Mesh& mesh, Corner c, const Placement& placement, Worker& w
   const std::uint32_t a = table.vertex(c), b = table.vertex(next(c));
   const bool a_open = table.is_open(a), b_open = table.is_open(b), interior = d != kNoCorner;
   if (interior) {
-    if (a_open && b_open) return Verdict::illegal;  // the boundary would touch itself
+    if (a_open && b_open) return Verdict::breaks_link;  // the boundary would touch itself
     const std::uint32_t tip = table.vertex(previous(d));
     if (!worker.has(tip)) return Verdict::elsewhere;
-    if (tip == table.vertex(previous(c))) return Verdict::illegal;
+    if (tip == table.vertex(previous(c))) return Verdict::breaks_link;
   }
   if ((a_open && !b_open && mesh.holds[b] != kFree) || (b_open && !a_open && mesh.holds[a] != kFree))
-    return Verdict::illegal;  // the boundary would leave its place
+    return Verdict::breaks_link;  // the boundary would leave its place
 
   const std::uint32_t mark = worker.stamp += worker.stride;
   mesh.vertices[a].mark = mesh.vertices[b].mark = mark;
@@ -102,15 +108,15 @@ inline Verdict judge(Mesh& mesh, Corner c, const Placement& placement, Worker& w
     v.mark = mark;
   };
   if (!survey(mesh, d, c, worker, count)) return Verdict::elsewhere;
-  if (common != (interior ? 2u : 1u)) return Verdict::illegal;
+  if (common != (interior ? 2u : 1u)) return Verdict::breaks_link;
   const std::size_t of_a = worker.ring.n_at_start(), of_b = worker.ring.size() - of_a;
   const bool ear = (mesh.keeps_end(c) ? of_a : of_b) == 0;                             // its tip would vanish
   const bool back_to_back = interior && !a_open && !b_open && of_a <= 1 && of_b <= 1;  // two faces would be
-  if (ear || back_to_back) return Verdict::illegal;
+  if (ear || back_to_back) return Verdict::breaks_link;
   const Vec target = mesh.position(c) + placement.offset;
   if (!worker.ring.turn(mesh.vertices, a, b, target, mesh.min_cos * std::abs(mesh.min_cos)))
-    return Verdict::illegal;
-  return !mesh.bound || keeps_bound(mesh, c, target, worker) ? Verdict::legal : Verdict::illegal;
+    return Verdict::turns_face;
+  return !mesh.bound || keeps_bound(mesh, c, target, worker) ? Verdict::legal : Verdict::breaks_bound;
 }
 
 }  // namespace whittle::mq

@@ -36,6 +36,7 @@ struct RunReport {
     add(held, " vertices are locked, features or not selected");
     add(record.refused_by_flip_guard, " merges refused by the flip guard");
     add(record.refused_by_link, " merges refused by the link condition");
+    add(record.refused_by_bound, " merges refused by the bound on the distance");
     add(refused, " planned collapses refused by other modules or illegal by now");
     add(illegal, " vertices have no legal collapse");
     add(forbidden, " vertices have legal collapses that the modules' thresholds or constraints forbid");

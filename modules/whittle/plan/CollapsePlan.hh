@@ -17,18 +17,21 @@ struct Collapse {
   Eigen::Vector3d target;
 };
 
-/// How the planning went. A cluster is a set of vertices that become one: three in a fold of a triangle, two
-/// in a fold of an edge or in the removal of a vertex.
+/// How the planning went. A cluster is a set of vertices that become one: three in a fold of a triangle, two in a fold
+/// of an edge or in the removal of a vertex. mq counts as refused the edges that stay illegal until its queue is empty,
+/// so none where it reaches its target.
 struct PlanRecord {
   std::size_t planned = 0;                ///< clusters in the plan
   std::size_t refused_by_flip_guard = 0;  ///< clusters that would have turned a face over
   std::size_t refused_by_link = 0;        ///< clusters that would have broken the manifold (link condition)
+  std::size_t refused_by_bound = 0;       ///< mq: edges that would have broken the bound on the distance
   std::size_t fell_back = 0;  ///< clusters planned smaller than wanted because the whole was refused
 
   PlanRecord& operator+=(const PlanRecord& other) {
     planned += other.planned;
     refused_by_flip_guard += other.refused_by_flip_guard;
     refused_by_link += other.refused_by_link;
+    refused_by_bound += other.refused_by_bound;
     fell_back += other.fell_back;
     return *this;
   }
