@@ -8,7 +8,7 @@
 #include "files/MeshFile.hh"
 #include "measure/Distance.hh"
 #include "measure/MeshFacts.hh"
-#include "peers/Peers.hh"
+#include "peers/vertex_cache.hh"
 #include "render/Framebuffer.hh"
 
 namespace whittle::bench {
@@ -116,7 +116,7 @@ void Inspector::inspect(SetResult& set, const MadeSet& made) const {
   set.nonmanifold_edges = facts.nonmanifold_edges;
   set.flipped_faces = made.flipped_faces;
   set.decimation_ms = made.milliseconds;
-  set.cache_misses_per_triangle = cache_misses_per_triangle(made.mesh);
+  set.cache_misses_per_triangle = peers::cache_misses_per_triangle(made.mesh);
   if (made.mesh.triangles.empty()) {
     set.note = "nothing is left to draw";
   } else if (facts.degenerate_faces == facts.faces) {

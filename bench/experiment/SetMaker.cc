@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "peers/Peers.hh"
+#include "experiment/Peers.hh"
+#include "peers/vertex_cache.hh"
 #include "recipe/Recipe.hh"
 
 namespace whittle::bench {
@@ -30,7 +31,7 @@ MadeSet SetMaker::make_anew(const SetDefinition& definition, const std::vector<S
   if (definition.original()) return {original_, 0, 0};
   if (definition.role == Role::cache) {
     const MadeSet& base = make(find_set(all, definition.compared_with), all);
-    return {vertex_cache_order(base.mesh), base.milliseconds, base.flipped_faces};
+    return {peers::vertex_cache_order(base.mesh), base.milliseconds, base.flipped_faces};
   }
   if (definition.role == Role::peer) {
     const MadeSet& base = make(find_set(all, definition.compared_with), all);
@@ -54,7 +55,7 @@ const MadeSet& SetMaker::make(const SetDefinition& definition, const std::vector
   const auto known = made_.find(key);
   if (known != made_.end()) return known->second;
   MadeSet made = make_anew(definition, all);
-  // The fastest of three, but nobody waits for a slow one to run again.
+  // The fastest of three runs; a slow one runs once.
   for (int i = 1; i < 3 && made.milliseconds > 0 && made.milliseconds < kSlowMilliseconds; ++i)
     made.milliseconds = std::min(made.milliseconds, make_anew(definition, all).milliseconds);
   return made_.emplace(key, std::move(made)).first->second;

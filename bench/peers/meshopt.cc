@@ -1,74 +1,82 @@
 #include <meshoptimizer.h>
 
-#include <chrono>
+#include <cfloat>
 #include <limits>
+#include <vector>
 
-#include "peers/Peers.hh"
+#include "peers/peers.hh"
 
-namespace whittle::bench {
+namespace whittle::peers {
 namespace {
 
-std::vector<float> coordinates(const IndexedMesh& mesh) {
-  std::vector<float> values;
-  values.reserve(3 * mesh.points.size());
-  for (const auto& point : mesh.points)
-    for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<float>(point[axis]));
-  return values;
+using Indices = std::vector<unsigned>;
+constexpr float kAnyError = FLT_MAX;  // only the target bounds it
+
+Indices simplify(const Arrays& mesh, std::size_t faces) {
+  Indices out(3 * mesh.triangles.size());
+  out.resize(meshopt_simplify(out.data(), mesh.triangles.front().data(), out.size(),
+                              mesh.points.front().data(), mesh.points.size(), sizeof(Arrays::Point),
+                              3 * faces, kAnyError, 0, nullptr));
+  return out;
 }
 
-std::vector<unsigned> indices(const IndexedMesh& mesh) {
-  std::vector<unsigned> values;
-  values.reserve(3 * mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) values.insert(values.end(), triangle.begin(), triangle.end());
-  return values;
+Indices simplify_sloppy(const Arrays& mesh, std::size_t faces) {
+  Indices out(3 * mesh.triangles.size());
+  out.resize(meshopt_simplifySloppy(out.data(), mesh.triangles.front().data(), out.size(),
+                                    mesh.points.front().data(), mesh.points.size(), sizeof(Arrays::Point),
+                                    3 * faces, kAnyError, nullptr));
+  return out;
 }
 
-/// The triangles of `values`, with the points of `mesh` that they use, in their old order.
-IndexedMesh compacted(const IndexedMesh& mesh, const std::vector<unsigned>& values) {
+/// The triangles of `indices`, with the points of `mesh` that they use, in their old order.
+Arrays compacted(const Arrays& mesh, const Indices& indices) {
   constexpr auto kUnused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> place(mesh.points.size(), kUnused);
-  for (const unsigned index : values) place[index] = 0;
-  IndexedMesh out;
+  for (const unsigned index : indices) place[index] = 0;
+  Arrays out;
   for (std::size_t i = 0; i < place.size(); ++i) {
     if (place[i] == kUnused) continue;
     place[i] = static_cast<std::uint32_t>(out.points.size());
     out.points.push_back(mesh.points[i]);
   }
-  for (std::size_t i = 0; i + 2 < values.size(); i += 3)
-    out.triangles.push_back({place[values[i]], place[values[i + 1]], place[values[i + 2]]});
+  out.triangles.reserve(indices.size() / 3);
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+    out.triangles.push_back({place[indices[i]], place[indices[i + 1]], place[indices[i + 2]]});
   return out;
+}
+
+/// meshoptimizer gives a list of indices of the old points.
+template <Indices (*kSimplify)(const Arrays&, std::size_t)>
+class MeshoptRun : public Run {
+ public:
+  void load(const Arrays& mesh) override { mesh_ = &mesh; }
+  void simplify(std::size_t request) override { indices_ = kSimplify(*mesh_, request); }
+  Arrays result() override { return compacted(*mesh_, indices_); }
+
+ private:
+  const Arrays* mesh_ = nullptr;
+  Indices indices_;
+};
+
+template <Indices (*kSimplify)(const Arrays&, std::size_t)>
+Simplifier simplifier(const char* name) {
+  Simplifier s;
+  s.name = name;
+  s.start = []() -> std::unique_ptr<Run> { return std::make_unique<MeshoptRun<kSimplify>>(); };
+  s.in_place = true;
+  return s;
 }
 
 }  // namespace
 
-PeerResult simplify_meshopt(const IndexedMesh& mesh, std::size_t triangles) {
-  const auto points = coordinates(mesh);
-  const auto before = indices(mesh);
-  std::vector<unsigned> after(before.size());
-  constexpr float kAnyError = 1;  // of the model's extent: only the target counts
-  const auto start = std::chrono::steady_clock::now();
-  after.resize(meshopt_simplify(after.data(), before.data(), before.size(), points.data(), mesh.points.size(),
-                                3 * sizeof(float), 3 * triangles, kAnyError, 0, nullptr));
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  return {compacted(mesh, after), time.count()};
+Simplifier meshopt() {
+  return simplifier<simplify>("meshopt_simplify");
 }
 
-IndexedMesh vertex_cache_order(const IndexedMesh& mesh) {
-  const auto before = indices(mesh);
-  std::vector<unsigned> after(before.size());
-  meshopt_optimizeVertexCache(after.data(), before.data(), before.size(), mesh.points.size());
-  IndexedMesh out;
-  out.points = mesh.points;
-  for (std::size_t i = 0; i + 2 < after.size(); i += 3)
-    out.triangles.push_back({after[i], after[i + 1], after[i + 2]});
-  return out;
+Simplifier meshopt_sloppy() {
+  Simplifier s = simplifier<simplify_sloppy>("meshopt_simplifySloppy");
+  s.most = [](std::size_t faces) { return faces; };
+  return s;
 }
 
-double cache_misses_per_triangle(const IndexedMesh& mesh) {
-  if (mesh.triangles.empty()) return 0;
-  const auto order = indices(mesh);
-  return static_cast<double>(
-      meshopt_analyzeVertexCache(order.data(), order.size(), mesh.points.size(), 16, 0, 0).acmr);
-}
-
-}  // namespace whittle::bench
+}  // namespace whittle::peers

@@ -1,7 +1,8 @@
 #include "speed/Score.hh"
 
 #include "measure/MeshFacts.hh"
-#include "speed/peers/peers.hh"
+#include "peers/peers.hh"
+#include "peers/precision.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle::speed {
@@ -12,7 +13,7 @@ Score Scorer::score(const Arrays& result) {
   if (known != known_.end()) return known->second;
 
   Score score;
-  const IndexedMesh mesh = in_double(result);
+  const IndexedMesh mesh = peers::in_double(result);
   const auto facts = measure::facts(mesh);
   score.vertices = facts.vertices;
   score.faces = facts.faces;
@@ -23,12 +24,12 @@ Score Scorer::score(const Arrays& result) {
   score.euler_characteristic = facts.euler_characteristic;
   score.checksum = sum;
 #ifdef WHITTLE_WITH_CGAL
-  if (intersections_) score.self_intersections = cgal_self_intersections(result);
+  if (intersections_) score.self_intersections = peers::cgal_self_intersections(result);
 #endif
   try {
     measure::DistanceOptions options;
     options.samples = samples_;
-    if (samples_ > 0) score.distance = measure::distance(in_double(subject_.arrays), mesh, options);
+    if (samples_ > 0) score.distance = measure::distance(peers::in_double(subject_.arrays), mesh, options);
   } catch (const InvalidMesh&) {
     // Nothing with an area is left: there is no distance to it.
   }

@@ -23,15 +23,6 @@ double mean_edge_length(const Arrays& arrays) {
   return sum / static_cast<double>(3 * arrays.triangles.size());
 }
 
-template <typename To, typename From>
-IndexedMeshT<To> converted(const IndexedMeshT<From>& from) {
-  IndexedMeshT<To> to;
-  to.points.reserve(from.points.size());
-  for (const auto& p : from.points) to.points.push_back(p.template cast<To>());
-  to.triangles = from.triangles;
-  return to;
-}
-
 }  // namespace
 
 std::size_t build(const Arrays& arrays, OpenMeshMesh& mesh) {
@@ -65,14 +56,6 @@ std::uint64_t checksum(const Arrays& arrays) {
   const std::uint64_t points =
       hash(0xcbf29ce484222325u, arrays.points.data(), arrays.points.size() * sizeof(Arrays::Point));
   return hash(points, arrays.triangles.data(), arrays.triangles.size() * sizeof(Arrays::Triangle));
-}
-
-IndexedMesh in_double(const Arrays& arrays) {
-  return converted<double>(arrays);
-}
-
-Arrays in_float(const IndexedMesh& mesh) {
-  return converted<float>(mesh);
 }
 
 }  // namespace whittle::speed

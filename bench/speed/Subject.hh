@@ -38,7 +38,4 @@ std::size_t build(const Arrays& arrays, OpenMeshMesh& mesh);
 /// FNV-1a, 64 bits, over the coordinates and then the indices as they lie in memory.
 std::uint64_t checksum(const Arrays& arrays);
 
-IndexedMesh in_double(const Arrays& arrays);
-Arrays in_float(const IndexedMesh& mesh);
-
 }  // namespace whittle::speed

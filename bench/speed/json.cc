@@ -4,9 +4,9 @@
 #include <fstream>
 
 #include "experiment/Machine.hh"
+#include "peers/peers.hh"
 #include "results/Statistics.hh"
 #include "speed/core.hh"
-#include "speed/peers/peers.hh"
 
 namespace whittle::speed {
 namespace {
@@ -73,7 +73,7 @@ Json run_json(unsigned threads, const std::optional<std::string>& only) {
   const auto machine = bench::machine();
   const auto core = openmesh_core();
   Json libraries = Json::object();
-  for (const auto& [name, version] : library_versions()) libraries[name] = version;
+  for (const auto& [name, version] : peers::versions()) libraries[name] = version;
   return {{"schema", kSchema},
           {"schema_version", kSchemaVersion},
           {"date_utc", machine.date_utc},

@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "speed/contenders/contenders.hh"
-#include "speed/peers/peers.hh"
 
 namespace whittle::speed {
 namespace {
@@ -22,36 +21,37 @@ std::vector<Entry> everybody(Suite suite, const Subject& subject) {
   std::vector<Entry> entries = conversion_entries();
   append(entries, bulk_entries(subject));
   append(entries, sweep_entries(subject));
-  append(entries, meshopt_entries(like_planned));
+  append(entries, peer_entries({peers::meshopt()}, like_planned));
   if (suite == Suite::figures) {
     append(entries, mq_entries(shares));
     append(entries, planned_decimater_entries(subject));
-    append(entries, meshopt_sloppy_entries(like_planned));
+    append(entries, peer_entries({peers::meshopt_sloppy()}, like_planned));
     append(entries, quadric_entries(shares));
-    append(entries, meshopt_entries(shares));
-    append(entries, meshopt_sloppy_entries(shares));
+    append(entries, peer_entries({peers::meshopt()}, shares));
+    append(entries, peer_entries({peers::meshopt_sloppy()}, shares));
     append(entries, compaction_entries(subject));
 #ifdef WHITTLE_WITH_CGAL
-    append(entries, cgal_entries(shares));
+    append(entries, peer_entries({peers::cgal_lindstrom_turk(), peers::cgal_garland_heckbert()}, shares));
 #endif
 #ifdef WHITTLE_WITH_VTK
-    append(entries, vtk_entries(shares));
+    append(entries, peer_entries({peers::vtk_quadric_decimation(), peers::vtk_decimate_pro(),
+                                  peers::vtk_quadric_clustering()},
+                                 shares));
 #endif
   }
   return entries;
 }
 
-/// Who is to go down to a share of the faces as truly as possible.
+/// The most accurate simplifiers, down to shares of the faces.
 std::vector<Entry> truthful(const Subject& subject) {
   std::vector<Target> shares;
   for (const auto& [name, part] : {std::pair("50 %", 0.5), {"25 %", 0.25}, {"10 %", 0.1}, {"1 %", 0.01}})
     shares.push_back({name, static_cast<std::size_t>(part * static_cast<double>(subject.n_faces()))});
   std::vector<Entry> entries = mq_entries(shares);
   append(entries, mq_entries(shares, 1));
-  append(entries, meshopt_entries(shares));
+  append(entries, peer_entries({peers::meshopt()}, shares));
 #ifdef WHITTLE_WITH_CGAL
-  for (Entry& entry : cgal_entries(shares))
-    if (entry.method == "CGAL Lindstrom-Turk") entries.push_back(std::move(entry));
+  append(entries, peer_entries({peers::cgal_lindstrom_turk()}, shares));
 #endif
   return entries;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "files/MeshFile.hh"
+#include "peers/precision.hh"
 #include "speed/subdivide.hh"
 
 namespace whittle::speed {
@@ -21,7 +22,7 @@ std::vector<Subject> load_models(std::vector<std::filesystem::path> files, const
   for (const auto& file : files) {
     const auto read = files::read_mesh(file);
     if (read.mesh.triangles.empty()) throw std::runtime_error(file.string() + ": there is no triangle");
-    Arrays arrays = in_float(read.mesh);
+    Arrays arrays = peers::in_float(read.mesh);
     for (const auto& p : arrays.points)
       if (!p.allFinite())
         throw std::runtime_error(file.string() + ": a coordinate is too large for single precision");

@@ -1,10 +1,11 @@
-#include "peers/Peers.hh"
+#include "experiment/Peers.hh"
 
 #include <algorithm>
 
 #include "catch.hh"
 #include "experiment/GeneratedMesh.hh"
 #include "measure/MeshFacts.hh"
+#include "peers/vertex_cache.hh"
 
 using namespace whittle;
 
@@ -32,10 +33,10 @@ TEST_CASE("vertex-cache order keeps every triangle and misses less") {
   IndexedMesh scattered = mesh;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     scattered.triangles[i] = mesh.triangles[i * 4999 % mesh.triangles.size()];
-  auto ordered = bench::vertex_cache_order(scattered);
+  auto ordered = peers::vertex_cache_order(scattered);
   CHECK(ordered.points == mesh.points);
-  CHECK(bench::cache_misses_per_triangle(scattered) > 2.5);
-  CHECK(bench::cache_misses_per_triangle(ordered) < 1);
+  CHECK(peers::cache_misses_per_triangle(scattered) > 2.5);
+  CHECK(peers::cache_misses_per_triangle(ordered) < 1);
 
   const auto sorted = [](IndexedMesh m) {
     for (auto& t : m.triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -46,6 +47,6 @@ TEST_CASE("vertex-cache order keeps every triangle and misses less") {
 }
 
 TEST_CASE("a lone triangle fetches its three vertices, no triangle none") {
-  CHECK(bench::cache_misses_per_triangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}) == 3);
-  CHECK(bench::cache_misses_per_triangle({}) == 0);
+  CHECK(peers::cache_misses_per_triangle({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}) == 3);
+  CHECK(peers::cache_misses_per_triangle({}) == 0);
 }

@@ -6,7 +6,7 @@
 #include "catch.hh"
 #include "experiment/GeneratedMesh.hh"
 #include "experiment/SetMaker.hh"
-#include "peers/Peers.hh"
+#include "experiment/Peers.hh"
 #include "recipe/Recipe.hh"
 
 using namespace whittle;

@@ -2,6 +2,7 @@
 
 #include "catch.hh"
 #include "meshes.hh"
+#include "peers/precision.hh"
 #include "speed/rounds.hh"
 
 using namespace whittle;
@@ -9,7 +10,7 @@ using namespace whittle;
 namespace {
 
 const speed::Subject& torus() {
-  static const speed::Subject subject = speed::make_subject("torus", speed::in_float(meshes::torus(24, 16)));
+  static const speed::Subject subject = speed::make_subject("torus", peers::in_float(meshes::torus(24, 16)));
   return subject;
 }
 

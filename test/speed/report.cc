@@ -3,13 +3,14 @@
 
 #include "catch.hh"
 #include "meshes.hh"
+#include "peers/precision.hh"
 
 using namespace whittle;
 using Catch::Matchers::Contains;
 
 TEST_CASE("the page holds the machine, the goals and every contender") {
   const std::vector<speed::Subject> subjects(
-      1, speed::make_subject("bunny", speed::in_float(meshes::torus(24, 16))));
+      1, speed::make_subject("bunny", peers::in_float(meshes::torus(24, 16))));
   std::ostringstream quiet;
   terminal::Progress progress(quiet, terminal::ProgressStyle::silent);
   auto run = speed::run_json(2, "vt");

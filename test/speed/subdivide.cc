@@ -3,13 +3,14 @@
 #include "catch.hh"
 #include "measure/MeshFacts.hh"
 #include "meshes.hh"
+#include "peers/precision.hh"
 
 using namespace whittle;
 
 namespace {
 
 IndexedMesh subdivided(const IndexedMesh& mesh) {
-  return speed::in_double(speed::subdivide(speed::in_float(mesh)));
+  return peers::in_double(speed::subdivide(peers::in_float(mesh)));
 }
 
 }  // namespace
@@ -44,7 +45,7 @@ TEST_CASE("old points stay, new ones leave the edge by up to a hundredth of it, 
 }
 
 TEST_CASE("subdivision is the same every time, and the checksum tells meshes apart") {
-  const auto torus = speed::in_float(meshes::torus(12, 8));
+  const auto torus = peers::in_float(meshes::torus(12, 8));
   CHECK(speed::checksum(speed::subdivide(torus)) == speed::checksum(speed::subdivide(torus)));
   auto other = torus;
   std::swap(other.triangles[0], other.triangles[1]);

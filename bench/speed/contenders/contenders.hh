@@ -1,9 +1,10 @@
 /// \file
-/// Whittle's own contenders and OpenMesh's.
+/// Whittle's own contenders, OpenMesh's and other libraries'.
 #pragma once
 
 #include <vector>
 
+#include "peers/peers.hh"
 #include "speed/Contender.hh"
 
 namespace whittle::speed {
@@ -29,5 +30,10 @@ std::vector<Entry> quadric_entries(const std::vector<Target>& targets);
 std::vector<Entry> compaction_entries(const Subject& subject);
 /// What surrounds a decimation: the arrays copied once, and conversions from and to OpenMesh.
 std::vector<Entry> conversion_entries();
+
+/// Other libraries' simplifiers, each to each target. Where one leaves other numbers of faces than it is asked
+/// for, the request that comes nearest is looked for in the first run.
+std::vector<Entry> peer_entries(const std::vector<peers::Simplifier>& simplifiers,
+                                const std::vector<Target>& targets);
 
 }  // namespace whittle::speed

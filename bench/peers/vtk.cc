@@ -11,12 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 
-#include "speed/TargetSearch.hh"
-#include "speed/peers/peers.hh"
+#include "peers/peers.hh"
 
-namespace whittle::speed {
+namespace whittle::peers {
 namespace {
 
 using Mesh = vtkSmartPointer<vtkPolyData>;
@@ -95,58 +93,43 @@ Mesh quadric_clustering(const Mesh& mesh, std::size_t divisions) {
   return run(*filter, mesh);
 }
 
-class VtkContender : public Contender {
+template <Mesh (*kSimplify)(const Mesh&, std::size_t)>
+class VtkRun : public Run {
  public:
-  using Simplify = Mesh (*)(const Mesh&, std::size_t);
-  using Request = std::shared_ptr<std::optional<std::size_t>>;
-  VtkContender(Simplify simplify, std::size_t faces, Request request)
-      : simplify_(simplify), faces_(faces), request_(std::move(request)) {}
-
-  /// Only the clustering takes no number of faces; its divisions are looked for in the first run.
-  void load(const Subject& subject) override {
-    mesh_ = to_vtk(subject.arrays);
-    if (simplify_ != quadric_clustering) return;
-    if (!*request_) {
-      const auto most = static_cast<std::size_t>(2 * std::sqrt(static_cast<double>(subject.n_faces()))) + 2;
-      *request_ = search_target(faces_, 1, most, [&](std::size_t divisions) {
-        return static_cast<std::size_t>(quadric_clustering(mesh_, divisions)->GetNumberOfPolys());
-      });
-    }
-    faces_ = **request_;
-  }
-
-  void decimate(Phases&) override { out_ = simplify_(mesh_, faces_); }
-  Arrays unload() override { return to_arrays(*out_); }
+  void load(const Arrays& mesh) override { mesh_ = to_vtk(mesh); }
+  void simplify(std::size_t request) override { out_ = kSimplify(mesh_, request); }
+  Arrays result() override { return to_arrays(*out_); }
 
  private:
-  Simplify simplify_;
-  std::size_t faces_;
-  Request request_;
   Mesh mesh_, out_;
 };
 
-}  // namespace
-
-std::vector<Entry> vtk_entries(const std::vector<Target>& targets) {
-  std::vector<Entry> entries;
-  for (const Target& target : targets) {
-    const auto add = [&](const char* method, VtkContender::Simplify simplify) {
-      Entry e;
-      e.method = method;
-      e.target = target.name;
-      e.target_faces = target.faces;
-      e.heavy = true;
-      e.countable = false;  // VTK calls malloc
-      e.make = [simplify, faces = target.faces, request = std::make_shared<std::optional<std::size_t>>()] {
-        return std::make_unique<VtkContender>(simplify, faces, request);
-      };
-      entries.push_back(e);
-    };
-    add("vtkQuadricDecimation", quadric_decimation);
-    add("vtkDecimatePro", decimate_pro);
-    add("vtkQuadricClustering", quadric_clustering);
-  }
-  return entries;
+template <Mesh (*kSimplify)(const Mesh&, std::size_t)>
+Simplifier simplifier(const char* name) {
+  Simplifier s;
+  s.name = name;
+  s.start = []() -> std::unique_ptr<Run> { return std::make_unique<VtkRun<kSimplify>>(); };
+  s.slow = true;
+  s.countable = false;  // VTK calls malloc
+  return s;
 }
 
-}  // namespace whittle::speed
+}  // namespace
+
+Simplifier vtk_quadric_decimation() {
+  return simplifier<quadric_decimation>("vtkQuadricDecimation");
+}
+
+Simplifier vtk_decimate_pro() {
+  return simplifier<decimate_pro>("vtkDecimatePro");
+}
+
+Simplifier vtk_quadric_clustering() {
+  Simplifier s = simplifier<quadric_clustering>("vtkQuadricClustering");
+  s.most = [](std::size_t faces) {
+    return static_cast<std::size_t>(2 * std::sqrt(static_cast<double>(faces))) + 2;
+  };
+  return s;
+}
+
+}  // namespace whittle::peers

@@ -1,6 +1,11 @@
-#include "peers/Peers.hh"
+#include "experiment/Peers.hh"
 
+#include <utility>
+
+#include "peers/peers.hh"
+#include "peers/precision.hh"
 #include "recipe/Recipe.hh"
+#include "recipe/Stopwatch.hh"
 
 namespace whittle::bench {
 
@@ -18,10 +23,8 @@ PeerResult simplify_by_recipe(const IndexedMesh& mesh, std::size_t triangles, co
   return {std::move(result.mesh), 1e3 * seconds};
 }
 
-}  // namespace
-
 PeerResult simplify_openmesh(const IndexedMesh& mesh, std::size_t triangles) {
-  // What is stock: without the guards of ours.
+  // ModQuadricT as OpenMesh ships it: without Whittle's guards.
   return simplify_by_recipe(mesh, triangles, "quadric:boundary-weight=0,guard=-1", recipe::Driver::decimater);
 }
 
@@ -29,13 +32,26 @@ PeerResult simplify_mq(const IndexedMesh& mesh, std::size_t triangles) {
   return simplify_by_recipe(mesh, triangles, "mq", recipe::Driver::bulk);
 }
 
+template <peers::Simplifier (*kPeer)()>
+PeerResult simplify_by_peer(const IndexedMesh& mesh, std::size_t triangles) {
+  const peers::Arrays arrays = peers::in_float(mesh);
+  const auto run = kPeer().start();
+  run->load(arrays);
+  recipe::Stopwatch watch;
+  run->simplify(triangles);
+  const double seconds = watch.lap();
+  return {peers::in_double(run->result()), 1e3 * seconds};
+}
+
+}  // namespace
+
 const std::vector<Peer>& peers() {
   static const std::vector<Peer> all = {
       {"openmesh", "OpenMesh ModQuadricT", simplify_openmesh},
-      {"meshopt", "meshopt_simplify", simplify_meshopt},
+      {"meshopt", "meshopt_simplify", simplify_by_peer<peers::meshopt>},
       {"mq", "Whittle mq", simplify_mq},
-#ifdef WHITTLE_HAVE_CGAL
-      {"cgal", "CGAL edge_collapse", simplify_cgal},
+#ifdef WHITTLE_WITH_CGAL
+      {"cgal", "CGAL edge_collapse", simplify_by_peer<peers::cgal_lindstrom_turk>},
 #endif
   };
   return all;
