@@ -1,5 +1,5 @@
 /// \file
-/// What a file says about a mesh besides its shape: normals, colours, texture coordinates, weights.
+/// What a file holds of a mesh besides its shape: normals, colours, texture coordinates, weights.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace whittle::attributes {
 
 enum class Kind {
-  normal,   ///< 3 components, unit length as far as the file keeps to it, zero where it says none
+  normal,   ///< 3 components, unit length as far as the file keeps to it, zero where it gives none
   colour,   ///< 3 or 4 components, 0..1: red, green, blue, opacity
   texture,  ///< 2 components, as the file counts them; see `downwards`
   scalar    ///< 1 component, of any meaning, told apart by its name

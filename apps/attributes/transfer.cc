@@ -173,11 +173,11 @@ class Transfer {
   const Members& members_;
   Stars after_;
   Attribute out_;
-  std::vector<std::uint32_t> faces_;     // around the vertices that became the one in hand, ascending
+  std::vector<std::uint32_t> faces_;     // around the vertices that became the current one, ascending
   std::vector<std::uint32_t> patch_of_;  // union-find over them
   std::vector<std::uint32_t> patch_;
   std::vector<std::pair<std::array<std::uint32_t, 4>, std::uint32_t>> edges_;
-  std::map<std::uint32_t, std::uint32_t> known_;  // new values at the vertex in hand, by old value or patch
+  std::map<std::uint32_t, std::uint32_t> known_;  // new values at the current vertex, by old value or patch
 };
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace whittle::attributes {
 struct Decimation {
   const IndexedMesh& before;
   const IndexedMesh& after;
-  const std::vector<std::uint32_t>& vertex_map;   ///< for each vertex before the one that it became
-  const std::vector<std::uint32_t>& face_origin;  ///< for each face after the one that it was
+  const std::vector<std::uint32_t>& vertex_map;   ///< for each vertex before, the vertex that it became
+  const std::vector<std::uint32_t>& face_origin;  ///< for each face after, the face that it was
 };
 
 /// What the attributes are after a decimation.

@@ -40,11 +40,11 @@ Outcome judge(const Ending& ending, const Memory& memory, const Item& item) {
   return outcome;
 }
 
-/// Waits until one of them says something, or a tenth of a second.
+/// Waits until a child writes or ends, at most a tenth of a second.
 void wait(const std::list<Running>& running) {
   std::vector<pollfd> descriptors;
   for (const Running& one : running) descriptors.push_back({one.child.descriptor(), POLLIN, 0});
-  // A child that has closed its end but not yet ended would wake us at once, over and over.
+  // A child that has closed its pipe but not yet ended would end every wait at once.
   ::poll(descriptors.data(), descriptors.size(), 20);
 }
 

@@ -29,7 +29,7 @@ struct Outcome {
     missed,     ///< written, but the target was not reached
     failed,     ///< bad input, killed, out of time or memory: nothing written
     skipped,    ///< done before
-    elsewhere,  ///< somebody else is at it
+    elsewhere,  ///< claimed by another process
     unfinished  ///< the batch was interrupted
   };
   Status status = Status::unfinished;
@@ -45,7 +45,7 @@ using Report = std::function<void(std::size_t done, const Item& item, const Outc
 
 /// Works through an order; other processes may work through the same one at the same time. Writes a line of
 /// JSON for each mesh to `out/.whittle/log/`, one file for each process.
-/// \param interrupted  asked often; once true, what runs is killed and nothing more is begun.
+/// \param interrupted  polled often; once true, running children are killed and no more are started.
 /// \return an outcome for each item
 /// \throw BatchError  the folder cannot be written to.
 std::vector<Outcome> run(const Order& order, const Report& report, const std::function<bool()>& interrupted);

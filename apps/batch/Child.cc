@@ -81,7 +81,7 @@ void Child::read_errors() {
   char buffer[4096];
   for (ssize_t n; (n = read(errors_, buffer, sizeof buffer)) > 0;) {
     text_.append(buffer, static_cast<std::size_t>(n));
-    constexpr std::size_t kKept = 65536;  // the last line is all that is asked for
+    constexpr std::size_t kKept = 65536;  // only the last line is used
     if (text_.size() > kKept) text_.erase(0, text_.size() - kKept / 2);
   }
 }

@@ -53,7 +53,7 @@ std::optional<Claim> Claim::take(const fs::path& file, std::chrono::seconds life
   // Of all who move it away only one finds it there.
   const fs::path aside = file.string() + "." + process_name() + ".stale";
   if (std::rename(file.c_str(), aside.c_str()) != 0) return std::nullopt;
-  // Somebody else may have done all that in the meantime, so that it is a fresh one: then it goes back.
+  // Another process may have taken it over meanwhile, so that it is a fresh claim: then it is restored.
   if (!is_stale(aside, life)) {
     [[maybe_unused]] const int linked = link(aside.c_str(), file.c_str());
     unlink(aside.c_str());

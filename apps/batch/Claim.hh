@@ -11,15 +11,15 @@ namespace whittle::batch {
 
 /// The right to work on one thing: a file that only one process can create. Given back by the destructor.
 ///
-/// The owner touches the file every now and then. A file that nobody has touched for a while belonged to a
-/// process that died; somebody else may then take it over. In a race of several who do that at the same
-/// instant two may come to hold it; so whatever is done under a claim must be allowed to happen twice.
+/// The owner touches the file periodically. A file untouched for a claim's lifetime belonged to a process that
+/// died; any other may then take it over. If several do so at the same instant, two may come to hold it; so work
+/// done under a claim must be safe to do twice.
 class Claim {
  public:
-  /// How long a claim that nobody touches is respected.
+  /// How long an untouched claim stays valid.
   static constexpr std::chrono::seconds kLife{60};
 
-  /// \return nothing where somebody else has it.
+  /// \return nothing where another process holds it.
   /// \throw std::filesystem::filesystem_error  the folder cannot be written to.
   static std::optional<Claim> take(const std::filesystem::path& file, std::chrono::seconds life = kLife);
 

@@ -17,7 +17,7 @@ class BatchError : public std::runtime_error {
 
 struct Item {
   std::filesystem::path in, out;
-  std::string name;  ///< unique in the batch, and good as the name of a file
+  std::string name;  ///< unique in the batch, and valid as a file name
 };
 
 /// All meshes of a folder and of those in it, by name; or of a manifest: a file's name on each line, relative

@@ -28,8 +28,9 @@ recipe::Recipe make_recipe(const RecipeOptions& options);
 
 files::ReadOptions read_options(const RecipeOptions& options);
 
-/// What `--lock` and `--weights` say of a mesh, and its attributes, which must outlive the result.
-/// \throw files::FileError  a selection that cannot be read. \throw recipe::RecipeError
+/// What `--lock` and `--weights` set for a mesh, and the attributes of `in`, which must outlive the result.
+/// \throw files::FileError  a selection that cannot be read.
+/// \throw recipe::RecipeError  the options contradict each other.
 recipe::Givens make_givens(const RecipeOptions& options, const files::MeshFile& in);
 
 /// The part of `--help` that explains lengths and modules.

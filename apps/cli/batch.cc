@@ -40,7 +40,7 @@ void catch_interrupts() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-/// What `whittle simplify` is to be told, files apart.
+/// The arguments of `whittle simplify`, without the files.
 std::vector<std::string> simplify_arguments(const Options& options) {
   std::vector<std::string> out;
   const auto add = [&](const char* name, const std::string& value) {
@@ -122,7 +122,7 @@ int run_batch(const Options& options) {
       [] { return interrupted != 0; });
   progress.clear();
 
-  constexpr std::size_t kShort = 40;  // lines: more is told only of what went wrong
+  constexpr std::size_t kShort = 40;  // lines: longer reports list failures only
   if (!options.quiet) print_table(order.items, outcomes, options.verbose || outcomes.size() <= kShort);
   if (interrupted != 0) {
     complain("interrupted; --resume goes on from here");

@@ -44,7 +44,7 @@ std::string file_of(const std::string& out, std::size_t level) {
       .string();
 }
 
-/// Where the levels go if nobody says: beside the model.
+/// Where the levels go by default: beside the model.
 std::string default_out(const std::string& in) {
   if (in == "-") throw recipe::RecipeError("--out is required where the model comes from standard input");
   return in;

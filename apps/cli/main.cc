@@ -1,5 +1,5 @@
 /// \file
-/// `whittle`: simplify meshes, one or many, measure what was lost, and tell what is in a file.
+/// `whittle`: simplify meshes, one or many, measure the error, and describe a file.
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <new>

@@ -1,5 +1,5 @@
 /// \file
-/// What the commands print and write as JSON. Every figure's name says its unit; plain names are counts.
+/// What the commands print and write as JSON. Every figure's name ends with its unit; plain names are counts.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -23,7 +23,7 @@ Json to_json(const files::ReadReport& report);
 void check_json_target(const std::string& target);
 void write_json(const std::string& target, const Json& json);
 
-/// Says on stderr what a reader could not take as it stood.
+/// Reports on stderr what a reader had to change or leave out.
 void print_notes(const std::string& path, const files::ReadReport& report);
 
 /// A line on stderr in the program's name, whatever the message holds.

@@ -103,7 +103,7 @@ void print(const Options& options, const files::MeshFile& in, const recipe::Resu
     std::printf("  %zu vertices kept in place for the bound's sake\n", result.held_by_bound);
 }
 
-/// Line v says which vertex of the result vertex v of the input became; both count from 0.
+/// Line v holds the vertex of the result that vertex v of the input became; both count from 0.
 void write_map(const std::string& path, const recipe::Result& result) {
   std::string text;
   for (const std::uint32_t v : result.vertex_map) text += std::to_string(v) + "\n";

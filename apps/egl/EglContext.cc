@@ -113,7 +113,7 @@ int add_name(dl_phdr_info* library, std::size_t, void* names) {
 }
 
 /// Keeps all libraries that are loaded now until the process ends. EGL would unload its driver with the
-/// display, and what the driver has left allocated could then no longer be told from a leak of ours.
+/// display, and what the driver has left allocated could then not be told apart from a leak of this program.
 void pin_libraries() {
   std::vector<std::string> names;
   dl_iterate_phdr(add_name, &names);

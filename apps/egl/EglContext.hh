@@ -10,7 +10,7 @@
 
 namespace whittle::egl {
 
-/// No context could be had. `what()` is one line that says why, device by device, and what to install.
+/// No context could be created. `what()` is one line: why, device by device, and what to install.
 class EglError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -18,11 +18,11 @@ class EglError : public std::runtime_error {
 
 /// One entry of EGL's own list of devices. Mesa lists its software renderer there too.
 struct Device {
-  std::size_t number = 0;  ///< what DeviceChoice asks for
+  std::size_t number = 0;  ///< as in DeviceChoice
   bool software = false;   ///< EGL marks it as Mesa's software renderer
 };
 
-/// The devices that EGL knows (`EGL_EXT_device_enumeration`), usable or not; none where it cannot list them.
+/// The devices that EGL lists (`EGL_EXT_device_enumeration`), usable or not; none where it cannot list them.
 /// \throw EglError  there is no EGL library.
 std::vector<Device> list_devices();
 

@@ -22,7 +22,8 @@ class Descriptor {
 
   int get() const { return number_; }
 
-  /// Closes now; some file systems report a failed write only here. \return what close() gave
+  /// Closes now; some file systems report a failed write only here.
+  /// \return what close() gave
   int close() { return ::close(std::exchange(number_, -1)); }
 
  private:

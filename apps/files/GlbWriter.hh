@@ -22,7 +22,8 @@ class GlbWriter {
     model_.defaultScene = 0;
   }
 
-  /// Adds a mesh and a node for it. \return the node
+  /// Adds a mesh and a node for it.
+  /// \return the number of the node
   int add(const IndexedMesh& mesh, const attributes::Attributes& attributes);
 
   tinygltf::Model& model() { return model_; }

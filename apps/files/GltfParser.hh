@@ -1,5 +1,5 @@
 /// \file
-/// Builds a JSON document from what the parser finds, without what nobody asks for.
+/// Builds a JSON document from parser events, without the values that are not wanted.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -54,7 +54,7 @@ class MeshBuilder {
   /// Notes what is not read, once.
   void ignore(const std::string& what);
 
-  /// A component of a normal, a colour or a texture coordinate; what is not finite is of no use to anybody.
+  /// A component of a normal, a colour or a texture coordinate; a value that is not finite becomes 0.
   float component(double value);
 
  private:

@@ -2,7 +2,7 @@
 /// Reading and writing meshes with their attributes: OBJ, PLY, OFF, STL, OpenMesh's OM and glTF 2.0.
 /// What each format holds and every rule of reading and repair: docs/files.md.
 ///
-/// The readers are our own because OpenMesh's crash or hang on damaged files. They read the whole file into
+/// OpenMesh's readers are not used: they crash or hang on damaged files. They read the whole file into
 /// memory first, trust no count in it, and never allocate more than a small multiple of the file's size.
 #pragma once
 
@@ -42,7 +42,7 @@ struct ReadOptions {
 /// What was in the file that the mesh does not hold as it stood there. Nothing is lost silently: `notes()`.
 struct ReadReport {
   std::string format;                  ///< for people: "OBJ", "PLY, binary little endian"
-  Repair repair = Repair::report;      ///< as asked for; says what became of what is counted below
+  Repair repair = Repair::report;      ///< as requested; decides what happened to what is counted below
   std::size_t polygons = 0;            ///< faces with more than three corners, split into fans
   std::size_t dropped_degenerate = 0;  ///< triangles that name a vertex twice, left out
   std::size_t merged_vertices = 0;     ///< STL and glTF: corners joined because they are at the same place
@@ -52,8 +52,8 @@ struct ReadReport {
 
   std::size_t broken_faces = 0;          ///< fix: use a vertex that is missing or not finite; left out
   std::size_t duplicate_faces = 0;       ///< on the same three vertices as an earlier one; fix: left out
-  std::size_t nonmanifold_edges = 0;     ///< of three faces or more, or of two that disagree; fix: mended
-  std::size_t nonmanifold_vertices = 0;  ///< between fans of faces that share no edge; fix: mended
+  std::size_t nonmanifold_edges = 0;     ///< of three faces or more, or of two that disagree; fix: repaired
+  std::size_t nonmanifold_vertices = 0;  ///< between fans of faces that share no edge; fix: repaired
   std::size_t turned_faces = 0;          ///< fix: turned round to agree with their neighbours
   std::size_t copied_vertices = 0;       ///< fix: made where the mesh was cut
   std::size_t dropped_vertices = 0;      ///< fix: not finite, or of no face; left out
@@ -120,7 +120,7 @@ WriteReport write_glb_levels(const std::filesystem::path& path, const std::vecto
 /// Throws what write_mesh would throw for a target that cannot be written, before any work is done.
 void check_writable(const std::filesystem::path& path, const WriteOptions& options = {});
 
-/// The same for write_file, which asks nothing of the extension. Both leave nothing behind.
+/// The same for write_file, which accepts any extension. Both leave nothing behind.
 /// \throw FileError
 void check_creatable(const std::filesystem::path& path);
 

@@ -50,7 +50,8 @@ Real parse_real(std::string_view word) {
   Real value = 0;
   auto [end, error] = read_number(digits, value);
   if (error == std::errc::result_out_of_range) {
-    // Too small or too large is not told apart. A wider type can: the one becomes 0, the other infinite.
+    // from_chars reports underflow and overflow alike. Cast from a wider type, the one becomes 0, the other
+    // infinite.
     long double wide = 0;
     if (read_number(digits, wide).ec != std::errc()) throw Fault(in_quotes(word) + " is out of range");
     value = static_cast<Real>(wide);

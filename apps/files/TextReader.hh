@@ -9,7 +9,7 @@
 
 namespace whittle::files {
 
-/// Hands out the words of one line after the other. Blank lines and comments are passed over.
+/// Reads the words of one line after the other. Blank lines and comments are passed over.
 class TextReader {
  public:
   struct Syntax {
@@ -55,7 +55,7 @@ class TextReader {
   std::size_t& line_;
   Syntax syntax_;
   std::size_t at_ = 0;
-  bool line_is_fresh_ = true;  ///< nothing was asked of the current line yet
+  bool line_is_fresh_ = true;  ///< no word of the current line has been read yet
 };
 
 /// The whole word as a number. Real is float or double.

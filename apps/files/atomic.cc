@@ -155,7 +155,7 @@ class TemporaryFile {
 };
 
 /// Makes the rename last through a power cut. A folder that cannot be opened for reading, or a file system
-/// that knows no such thing, is no failure: the file stands there whole.
+/// that knows no such thing, is no failure: the file is complete.
 void flush_folder(const fs::path& folder) {
   const Descriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (file.get() >= 0 && ::fsync(file.get()) != 0 && errno == EIO) throw_errno();

@@ -64,7 +64,8 @@ Fans find_fans(const Triangles& triangles, std::size_t vertices, const std::vect
 }
 
 /// A slit that is one edge long leaves both of its sides between the same two fans. The later faces there
-/// are parted from all their neighbours. \return whether there were any
+/// are parted from all their neighbours.
+/// \return whether there were any
 bool part_where_doubled(const Fans& fans, std::size_t vertices, std::vector<std::uint32_t>& mates) {
   bool any = false;
   const auto part = [&](std::uint32_t face) {

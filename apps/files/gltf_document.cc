@@ -82,7 +82,7 @@ Json parse(std::string_view text, MeshBuilder& builder) {
       if (json.is_object()) return json;
     }
   } catch (const Json::exception&) {
-    // What it says would take more than a line.
+    // The parser's message would take more than a line.
   }
   throw Fault("its JSON is damaged");
 }

@@ -118,7 +118,7 @@ class Walk {
   std::vector<GltfInstance> instances_;
 };
 
-/// The nodes that are nobody's child.
+/// The root nodes.
 std::vector<std::size_t> all_roots(const Json& nodes) {
   std::vector<bool> is_root(nodes.size(), true);
   for (const Json& node : nodes)

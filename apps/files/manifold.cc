@@ -64,7 +64,7 @@ std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<Side>
     if (end - begin < 2) return;
     thirds.clear();
     for (const Side* side = begin; side < end; ++side) {
-      // A face comes by at each of its edges; the one between its two lowest vertices speaks for it.
+      // A face comes by at each of its edges; it is counted at the one between its two lowest vertices.
       const std::uint32_t third = vertex_of(triangles, opposite_corner(side->corner));
       if (third > side->high) thirds.emplace_back(third, side->corner / 3);
     }

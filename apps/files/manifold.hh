@@ -1,5 +1,5 @@
 /// \file
-/// Finding and mending what is not manifold.
+/// Finding and repairing what is not manifold.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ std::size_t orient(MeshFile& file);
 
 /// Copies vertices until every edge has one face or two that agree, and the faces of every vertex are one
 /// fan. At an edge the first face that runs along it one way stays joined with the first that runs the other
-/// way, the second with the second, and so on; one that is left over gets an edge of its own. \return how
-/// many copies were made
+/// way, the second with the second, and so on; one that is left over gets an edge of its own.
+/// \return how many copies were made
 std::size_t cut(MeshFile& file);
 
 }  // namespace whittle::files

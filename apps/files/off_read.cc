@@ -18,7 +18,7 @@ using attributes::Kind;
 
 constexpr TextReader::Syntax off_syntax{'#', false};
 
-/// What the first word says: `[ST][C][N][4][n]OFF`, and behind it the first count where a file lacks the
+/// What the first word means: `[ST][C][N][4][n]OFF`, and behind it the first count where a file lacks the
 /// blank.
 struct Keyword {
   bool valid = false;

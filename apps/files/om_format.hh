@@ -14,7 +14,7 @@ constexpr std::size_t status_bytes = 4;
 constexpr std::uint32_t deleted_bit = 1;
 
 /// As the byte in the header. From 2.0 on faces are given by half-edges, before by vertices; from 2.1 on a
-/// property says its type.
+/// property names its type.
 constexpr std::uint8_t version(unsigned major, unsigned minor) {
   return static_cast<std::uint8_t>(major << 5 | minor);
 }

@@ -6,7 +6,7 @@
 
 namespace whittle::files {
 
-/// Looks for what Repair names, mends it where asked, and counts it in the report.
+/// Looks for what Repair names, repairs it where requested, and counts it in the report.
 /// \pre every index is in range; coordinates are finite unless they are to be fixed
 void repair(MeshFile& file, Repair mode);
 

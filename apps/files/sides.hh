@@ -36,7 +36,7 @@ inline bool rises(const std::vector<IndexedMesh::Triangle>& triangles, const Sid
 }
 
 /// All sides; those of one edge come one after the other, in the order of the faces.
-/// \throw Fault  more faces than 32-bit numbers can tell the corners of
+/// \throw Fault  more corners than 32-bit numbers can index
 std::vector<Side> sides_by_edge(const std::vector<IndexedMesh::Triangle>& triangles, std::size_t vertices);
 
 /// Calls with the begin and the end of the sides of each edge.

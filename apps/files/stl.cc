@@ -110,7 +110,7 @@ void read_binary(std::string_view bytes, MeshBuilder& builder) {
   if (bytes.size() > count * triangle_bytes) builder.ignore("bytes after the last triangle");
 }
 
-/// Many binary files begin with "solid" too. They have the size that their count asks for, or a zero byte in
+/// Many binary files begin with "solid" too. They have the size that their count implies, or a zero byte in
 /// the header, which no text has.
 bool is_text(std::string_view bytes) {
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");

@@ -8,11 +8,13 @@
 
 namespace whittle::files {
 
-/// Leaves the faces that are marked, in their order. \return how many went
+/// Keeps the faces that are marked, in their order.
+/// \return how many were removed
 std::size_t keep_faces(MeshFile& file, const std::vector<bool>& keep);
 
-/// Leaves the vertices that are marked, in their order. \return how many went
-/// \pre no face uses one that goes
+/// Keeps the vertices that are marked, in their order.
+/// \pre no face uses one that is not marked
+/// \return how many were removed
 std::size_t keep_vertices(MeshFile& file, const std::vector<bool>& keep);
 
 /// Appends copies of vertices.

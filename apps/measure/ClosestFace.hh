@@ -23,8 +23,8 @@ namespace whittle::measure {
 class ClosestFace {
  public:
   /// \param threads  that build the tree; 0: all cores.
-  /// \param go_on    asked now and then by any thread that builds; false ends it. It must not throw.
-  /// \throw Cancelled  go_on said so.
+  /// \param go_on    called periodically by any thread that builds; false ends it. It must not throw.
+  /// \throw Cancelled  go_on returned false.
   ClosestFace(const Surface& surface, unsigned threads, const std::function<bool()>& go_on = {});
   ClosestFace(Surface&& surface, unsigned threads, const std::function<bool()>& go_on = {}) = delete;
 

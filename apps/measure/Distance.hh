@@ -38,10 +38,9 @@ struct DistanceOptions {
 ///
 /// \throw InvalidMesh  one of the meshes has no face of positive area, or a coordinate that is not finite.
 ///
-/// \throw InvalidParameter  no samples are asked for.
-///
-/// \throw Cancelled  the monitor said so: within some thousand samples, or while a search tree is built. The
-/// result does not depend on whether somebody follows.
+/// The result does not depend on the monitor.
+/// \throw InvalidParameter  the number of samples is 0.
+/// \throw Cancelled  the monitor returned false: within some thousand samples, or while a search tree is built.
 Distance distance(const IndexedMesh& original, const IndexedMesh& simplified,
                   const DistanceOptions& options = {}, const Monitor& monitor = {});
 

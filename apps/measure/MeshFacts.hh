@@ -1,5 +1,5 @@
 /// \file
-/// What can be said of one mesh by counting.
+/// Counts and sizes of one mesh.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 /// \file
-/// What stands between a monitor and the threads that it watches.
+/// Progress of several threads, reported to one monitor.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,15 @@
 
 namespace whittle::measure {
 
-/// Counts work that several threads do, and tells all of them when the monitor has said to stop.
+/// Counts work that several threads do, and tells all of them when the monitor has requested a stop.
 class Watch {
  public:
-  /// \param monitor  may be empty. \param work  all that will be done, in any unit.
+  /// \param monitor  may be empty.
+  /// \param work  all that will be done, in any unit.
   Watch(const Monitor& monitor, double work) : monitor_(monitor), work_(work) {}
 
-  /// So much more is done. \return false: stop. For any thread.
+  /// Adds to what is done. May be called from any thread.
+  /// \return false: stop.
   bool done(double work) {
     if (!monitor_) return true;
     const std::lock_guard lock(mutex_);

@@ -24,7 +24,8 @@ struct Crew {
 };
 
 /// Calls `work` with the begin and end of each block of 0..count-1, on several threads.
-/// \return the results in the blocks' order. \throw Cancelled
+/// \return the results in the blocks' order.
+/// \throw Cancelled
 template <typename Result>
 std::vector<Result> in_blocks(std::size_t count, const Crew& crew,
                               const std::function<Result(std::size_t, std::size_t)>& work) {

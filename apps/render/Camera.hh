@@ -22,8 +22,8 @@ struct ViewPoint {
 };
 
 /// The camera that sees the whole of `subject` as large as the picture allows. Nothing of `scene` is cut away
-/// in front of the eye or behind the subject unless it lies behind the eye. \param aspect  the picture's
-/// width divided by its height.
+/// in front of the eye or behind the subject unless it lies behind the eye.
+/// \param aspect  the picture's width divided by its height.
 Camera frame(const Eigen::AlignedBox3d& subject, const Eigen::AlignedBox3d& scene, double aspect,
              const ViewPoint& from = {});
 

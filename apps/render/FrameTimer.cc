@@ -7,7 +7,7 @@
 namespace whittle::render {
 namespace {
 
-/// Runs an OpenGL timer while it lives.
+/// Runs an OpenGL timer for its lifetime.
 class ElapsedQuery {
  public:
   ElapsedQuery() {

@@ -21,7 +21,8 @@ struct SpanTime {
 };
 
 /// Calls `draw_frame` `range.to` times. Each frame is handed to the driver (`glFlush`) as a swap of buffers
-/// would, but not waited for: waiting in each frame would time the waiting. \pre range.from < range.to
+/// would, but not waited for: waiting in each frame would time the waiting.
+/// \pre range.from < range.to
 SpanTime time_frames(const std::function<void()>& draw_frame, const FrameRange& range = {});
 
 }  // namespace whittle::render

@@ -38,7 +38,7 @@ class GlObject {
   GLuint name_;
 };
 
-/// A place in a bound buffer, as OpenGL wants to be told it.
+/// An offset into a bound buffer, as OpenGL's functions take it.
 inline const void* buffer_offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }

@@ -12,7 +12,8 @@ namespace whittle::render {
 /// colour-blind); a little shade from a light at the eye shows the form.
 class HeatPainter {
  public:
-  /// \pre as of Renderer. \throw RenderError  the driver does not take the shaders.
+  /// \pre as of Renderer.
+  /// \throw RenderError  the driver does not take the shaders.
   HeatPainter();
 
   /// Clears the bound framebuffer and draws a mesh whose buffers have values; those beyond [0, 1] are cut.

@@ -23,8 +23,8 @@ struct Image {
 };
 
 /// The bytes of a PNG file. A caption goes in as the text chunk "Description", so that a picture which is
-/// passed on alone still says what it shows. \throw RenderError  libpng refuses the image, an empty one for
-/// example.
+/// passed on alone still says what it shows.
+/// \throw RenderError  libpng refuses the image, an empty one for example.
 std::string encode_png(const Image& image, const std::string& caption = "");
 
 }  // namespace whittle::render

@@ -40,7 +40,8 @@ class PointBuffer {
 /// widths are in pixels, as drivers need not draw lines wider than one, these are thin rectangles.
 class LinePainter {
  public:
-  /// \pre as of Renderer. \throw RenderError  the driver does not take the shaders.
+  /// \pre as of Renderer.
+  /// \throw RenderError  the driver does not take the shaders.
   LinePainter();
 
   /// \param part  in lines.

@@ -29,7 +29,7 @@ struct MeshArrays {
   std::vector<Eigen::Vector3f> positions, normals;  ///< one of each for each point
 };
 
-/// Some of the triangles, lines or points that could be drawn; all of them unless told otherwise.
+/// Some of the triangles, lines or points that could be drawn; by default all of them.
 struct Part {
   std::size_t first = 0, count = std::numeric_limits<std::size_t>::max();
 

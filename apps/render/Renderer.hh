@@ -1,5 +1,5 @@
 /// \file
-/// Draws meshes as a lit solid. Knows nothing of windows or of where its context comes from.
+/// Draws meshes as a lit solid. Independent of windows and of where the context comes from.
 #pragma once
 
 #include <Eigen/Core>

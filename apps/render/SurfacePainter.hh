@@ -23,7 +23,8 @@ struct SurfaceStyle {
 /// Unlike the Renderer, this clears nothing: it draws over what is there.
 class SurfacePainter {
  public:
-  /// \pre as of Renderer. \throw RenderError  the driver does not take the shaders.
+  /// \pre as of Renderer.
+  /// \throw RenderError  the driver does not take the shaders.
   SurfacePainter();
 
   void draw(const MeshBuffers& mesh, const Camera& camera, const SurfaceStyle& style, const Look& look = {},
@@ -38,7 +39,7 @@ class SurfacePainter {
   GlObject<ProgramKind> surface_, wires_;
 };
 
-/// While it lives, surfaces are drawn a little farther away than they are.
+/// During its lifetime surfaces are drawn slightly farther away (polygon offset).
 class PushBack {
  public:
   PushBack() {

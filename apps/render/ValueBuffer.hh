@@ -20,7 +20,8 @@ struct TextureKind {
 /// Kept apart from the mesh's buffers, so that figures can come and go while the mesh stays.
 class ValueBuffer {
  public:
-  /// \pre a context is current. \throw RenderError  more values than the device can hold.
+  /// \pre a context is current.
+  /// \throw RenderError  more values than the device can hold.
   explicit ValueBuffer(const std::vector<float>& values);
 
   /// Makes them the buffer texture of this unit.

@@ -10,7 +10,7 @@ void attach(GLuint program, GLenum stage, const char* source) {
   glShaderSource(shader, 1, &source, nullptr);
   glCompileShader(shader);
   glAttachShader(program, shader);
-  glDeleteShader(shader);  // it lives on until the program goes
+  glDeleteShader(shader);  // deleted with the program
 }
 
 void link(GLuint program) {

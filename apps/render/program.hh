@@ -8,10 +8,12 @@
 
 namespace whittle::render {
 
-/// Compiles both shaders into the program. \throw RenderError  the driver does not take them.
+/// Compiles both shaders into the program.
+/// \throw RenderError  the driver does not take them.
 void link_program(GLuint program, const char* vertex_shader, const char* fragment_shader);
 
-/// Rounds the matrix to floats. \pre the program is in use.
+/// Rounds the matrix to floats.
+/// \pre the program is in use.
 void set_uniform(GLint uniform, const Eigen::Matrix4d& matrix);
 
 }  // namespace whittle::render

@@ -1,5 +1,5 @@
 /// \file
-/// Tells somebody who waits how far it is.
+/// Progress of a long run on standard error.
 #pragma once
 
 #include <chrono>
@@ -9,10 +9,10 @@
 
 namespace whittle::terminal {
 
-/// `terminal` overwrites one line; `lines` is for log files; `silent` says nothing.
+/// `terminal` overwrites one line; `lines` is for log files; `silent` writes nothing.
 enum class ProgressStyle { silent, lines, terminal };
 
-/// Silent if asked to be; else by whether standard error is a terminal.
+/// Silent on request; else by whether standard error is a terminal.
 ProgressStyle style_on_stderr(bool quiet);
 
 class Progress {
@@ -28,7 +28,7 @@ class Progress {
   /// So many steps of about equal length follow.
   void expect(std::size_t steps);
 
-  /// The next of them begins. From the second on it says how much time is left.
+  /// The next of them begins. From the second on the remaining time is shown.
   void step(const std::string& what);
 
   /// How much of the work is done and how much time is left; only on a terminal, where it may be called

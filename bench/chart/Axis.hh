@@ -13,7 +13,8 @@ enum class Scale { linear, logarithmic };
 /// \pre low <= high, both finite.
 std::vector<double> linear_ticks(double low, double high, int about = 5);
 
-/// Powers of ten and, where these are few, 2 and 5 times them, that cover [low, high]. \pre 0 < low <= high.
+/// Powers of ten and, where these are few, 2 and 5 times them, that cover [low, high].
+/// \pre 0 < low <= high.
 std::vector<double> log_ticks(double low, double high);
 
 /// As short as reads well, with a comma between thousands: "0.0013", "25", "12,000", "2e-05".

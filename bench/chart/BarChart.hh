@@ -1,5 +1,5 @@
 /// \file
-/// Bars in groups, with error bars, and a line across a group for what somebody claimed.
+/// Bars in groups, with error bars, and a line across a group for a claimed value.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ struct BarGroup {
 
 /// Fill in and draw. All values must be finite.
 struct BarChart {
-  std::string title;       ///< what it shows, for those who cannot see it
+  std::string title;       ///< what it shows, for screen readers
   std::string value_axis;  ///< title of the vertical axis, with the unit
   std::string claim_name;  ///< legend of the dashed lines
   std::vector<BarGroup> groups;

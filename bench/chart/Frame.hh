@@ -25,7 +25,8 @@ struct Key {
 /// How wide a text will be, roughly; browsers differ.
 double text_width(const std::string& text);
 
-/// Draws the legend from the upper left corner, in as many rows as it needs. \return the height that it took.
+/// Draws the legend from the upper left corner, in as many rows as it needs.
+/// \return the height that it took.
 double draw_legend(Svg& svg, const std::vector<Key>& keys, double left, double right);
 
 /// Horizontal grid lines with numbers at the left, and the title of the vertical axis.

@@ -23,7 +23,7 @@ struct ScatterSeries {
 /// Fill in and draw. All values must be finite, and positive on a logarithmic axis; a chart without points
 /// is empty axes.
 struct ScatterChart {
-  std::string title;  ///< what it shows, for those who cannot see it
+  std::string title;  ///< what it shows, for screen readers
   std::string x_axis, y_axis;
   Scale x_scale = Scale::linear, y_scale = Scale::linear;
   std::vector<ScatterSeries> series;

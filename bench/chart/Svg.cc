@@ -5,7 +5,7 @@
 namespace whittle::chart {
 namespace {
 
-// Okabe and Ito's colours, a little darker on white and lighter on black where the contrast asks for it.
+// Okabe and Ito's colours, a little darker on white and lighter on black for contrast.
 constexpr char kStyle[] =
     ".wc{color-scheme:light dark}"
     ".wc text{font:12px system-ui,-apple-system,'DejaVu Sans',sans-serif;fill:#3b4148}"

@@ -7,7 +7,8 @@
 
 namespace whittle::bench {
 
-/// Facts of this machine, this build and this moment. \param gl  of the context that draws.
+/// Facts of this machine, this build and this moment.
+/// \param gl  of the context that draws.
 Environment environment(const egl::ContextFacts& gl);
 
 }  // namespace whittle::bench

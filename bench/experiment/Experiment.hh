@@ -15,7 +15,7 @@
 
 namespace whittle::bench {
 
-/// Thrown out of time_sets when it was asked to stop.
+/// Thrown by time_sets when a stop was requested.
 class Stopped : public std::runtime_error {
  public:
   Stopped() : std::runtime_error("interrupted") {}
@@ -30,16 +30,18 @@ std::vector<std::size_t> visiting_order(std::size_t sets, std::size_t repetition
 /// compared with one another.
 std::vector<std::size_t> missing_visits(const ExperimentResult& experiment, std::size_t repetition);
 
-/// What time_sets reports to and asks.
+/// What time_sets reports to, and what can stop it.
 struct Watch {
   terminal::Progress& progress;
   std::function<void()> visited;  ///< after every visit, to save the results
-  std::function<bool()> stop;     ///< asked at every frame
+  std::function<bool()> stop;     ///< called at every frame
 };
 
 /// Times the frames of every set in every repetition and notes the visits down, those that are not there yet.
-/// Sets without triangles are left out. \param meshes  one for each set of the experiment, in its order.
-/// \param start  number of this start of the program. \throw Stopped
+/// Sets without triangles are left out.
+/// \param meshes  one for each set of the experiment, in its order.
+/// \param start  number of this start of the program.
+/// \throw Stopped
 void time_sets(const render::Renderer& renderer, const render::Camera& camera, const Settings& settings,
                const std::vector<const IndexedMesh*>& meshes, std::size_t start, ExperimentResult& experiment,
                const Watch& watch);

@@ -6,7 +6,7 @@
 
 namespace whittle::bench {
 
-/// Says in every output what the stand-in is.
+/// Names the stand-in in every output.
 inline constexpr char kGeneratedLabel[] = "generated closed mesh, not the bunny";
 
 /// The mean edge of Stanford's bunny, the unit in which the paper's thresholds make sense.

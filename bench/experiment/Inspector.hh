@@ -1,5 +1,5 @@
 /// \file
-/// Fills in what can be said of a set besides its times: counts, errors, pictures.
+/// Fills in what describes a set besides its times: counts, errors, pictures.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,8 @@ struct Pictures {
 /// Inspects the sets of one experiment. What it is given must outlive it.
 class Inspector {
  public:
-  /// \param folder  for the pictures; made if missing. \pre a context is current.
+  /// \param folder  for the pictures; made if missing.
+  /// \pre a context is current.
   Inspector(const IndexedMesh& original, const Settings& settings, ExperimentResult& experiment,
             const std::filesystem::path& folder);
 
@@ -32,12 +33,13 @@ class Inspector {
   void inspect(SetResult& set, const MadeSet& made) const;
 
   /// The whole model, the detail (not of Paper 2's model) and, but for the original, the heat map, as files
-  /// in `folder`/pictures. \throw files::FileError
+  /// in `folder`/pictures.
+  /// \throw files::FileError
   void take_pictures(SetResult& set, const IndexedMesh& mesh) const;
 
  private:
   std::vector<render::Image> draw_views(const IndexedMesh& mesh) const;
-  /// \param flipped_faces  against the nearest original face: peers do not tell which face came from which
+  /// \param flipped_faces  against the nearest original face: peers do not report which face came from which
   Fidelity fidelity(const IndexedMesh& mesh, std::size_t& flipped_faces) const;
   std::string write(const SetResult& set, const std::string& kind, const render::Image& image) const;
 

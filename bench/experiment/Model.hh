@@ -1,5 +1,5 @@
 /// \file
-/// The model that the experiment runs on, and what it really is.
+/// The model that the experiment runs on, and its origin.
 #pragma once
 
 #include <filesystem>
@@ -28,9 +28,9 @@ struct Model {
 
 /// Loads `file`, or without one `bunny.*` from the cache, or without that generates a mesh and notes it. A
 /// model whose mean edge is far from the bunny's is noted too, since the paper's thresholds then mean
-/// something else. \param label  in place of the one that says where the model came from; a generated mesh
-/// says so all the same. \throw files::FileError, std::invalid_argument  the file cannot be read or holds no
-/// triangles.
+/// something else.
+/// \param label  in place of the one that names the model's origin; a generated mesh keeps its own.
+/// \throw files::FileError, std::invalid_argument  the file cannot be read or holds no triangles.
 Model load_model(const std::optional<std::filesystem::path>& file, const std::filesystem::path& cache,
                  const std::string& label = "");
 

@@ -21,8 +21,8 @@ struct Peer {
   PeerResult (*simplify)(const IndexedMesh& mesh, std::size_t triangles);
 };
 
-/// OpenMesh's DecimaterT with ModQuadricT, meshopt_simplify, mq, and CGAL by Lindstrom and Turk's policies where
-/// CMake found it.
+/// OpenMesh's DecimaterT with ModQuadricT, meshopt_simplify, mq, and, where CMake found it, CGAL with Lindstrom
+/// and Turk's policies.
 const std::vector<Peer>& peers();
 
 }  // namespace whittle::bench

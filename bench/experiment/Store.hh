@@ -10,7 +10,7 @@
 
 namespace whittle::bench {
 
-/// Something found out could not be written; `what()` is one line that says why and what is kept.
+/// Results could not be written; `what()` is one line: why, and what is kept.
 class SaveError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -18,19 +18,20 @@ class SaveError : public std::runtime_error {
 
 class Store {
  public:
-  /// \param folder  made if missing. \throw std::filesystem::filesystem_error, files::FileError  nothing can
-  /// be written there.
+  /// \param folder  made if missing.
+  /// \throw std::filesystem::filesystem_error, files::FileError  nothing can be written there.
   explicit Store(const std::filesystem::path& folder);
 
   /// The results of an earlier start, for --resume; none where there are no results.
   /// \throw ResultsError, files::FileError  they cannot be read.
   std::optional<Results> load() const;
 
-  /// Results that stand there already, of another run, get the name results.1.json (or 2, 3, …), so that
-  /// nothing is lost. \return the new name, if there were any.
+  /// Renames the results of another run to results.1.json (or 2, 3, …), so that nothing is lost.
+  /// \return the new name, if there were any.
   std::optional<std::filesystem::path> set_aside() const;
 
-  /// Replaces results.json in one step: whenever the program is killed, the file is whole. \throw SaveError
+  /// Replaces results.json in one step: whenever the program is killed, the file is whole.
+  /// \throw SaveError
   void save(const Results& results) const;
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -40,7 +41,8 @@ class Store {
   std::filesystem::path folder_;
 };
 
-/// Reads a whole file. \throw std::runtime_error  one line.
+/// Reads a whole file.
+/// \throw std::runtime_error  one line.
 std::string read_text(const std::filesystem::path& path);
 
 /// Why `earlier` cannot be gone on with as `wanted`, or an empty text: other protocol, model, sets, image

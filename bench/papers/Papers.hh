@@ -32,7 +32,7 @@ std::optional<double> claimed_improvement(const std::string& algorithm);
 /// Paper 2, Table 1. The counts are three times those of vertices and triangles: of coordinates and of
 /// indices.
 struct Angle {
-  std::string set;       ///< name of our set
+  std::string set;       ///< name of Whittle's set
   std::string label;     ///< "> 30°"
   std::size_t vertices;  ///< as printed
   std::size_t triangles;

@@ -16,7 +16,7 @@ std::string to_string(Word word);
 struct Verdict {
   std::string source;    ///< "Paper 1, Section V"
   std::string claim;     ///< in the paper's words or near them
-  std::string measured;  ///< our figures
+  std::string measured;  ///< Whittle's figures
   std::string ratio;     ///< ours by the paper's; empty where that has no meaning
   Word word = Word::undecided;
   std::string why;  ///< one sentence, where the word alone could mislead

@@ -13,7 +13,8 @@ namespace whittle::peers {
 /// Every library gets single precision, as mesh files hold it; CGAL computes in double.
 using Arrays = IndexedMeshT<float>;
 
-/// One simplification: `load`, `simplify`, `result`, each once and in this order.
+/// One simplification: `load`, `simplify`, `result`, in this order. Of a simplifier with `most` the last two may
+/// be repeated with other requests.
 class Run {
  public:
   Run() = default;
@@ -38,8 +39,8 @@ struct Simplifier {
   bool in_place = false;  ///< reads the arrays where they are
   bool slow = false;      ///< takes many times as long as the fastest
   bool countable = true;  ///< takes its memory from operator new, so that it can be counted
-  /// Null where the request is the number of faces. Otherwise the request that comes nearest to a number of faces
-  /// has to be searched for: from 1 to this, of a mesh with so many faces. More is finer.
+  /// Null where the request is the number of faces. Otherwise the request that comes nearest to a number of
+  /// faces has to be searched for, between 1 and this function of the mesh's faces. A larger one leaves more.
   std::size_t (*most)(std::size_t faces) = nullptr;
 };
 

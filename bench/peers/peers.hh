@@ -1,6 +1,6 @@
 /// \file
-/// The other libraries' simplifiers: one adapter a library, for both benchmarks. Those of a library that CMake has
-/// not found are declared, but not defined; WHITTLE_WITH_CGAL and WHITTLE_WITH_VTK tell.
+/// Other libraries' simplifiers: one adapter a library, for both benchmarks. CGAL's are there with
+/// WHITTLE_WITH_CGAL, VTK's with WHITTLE_WITH_VTK, which CMake sets where it has found them.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 /// \file
-/// What the user asked for.
+/// The command line's options.
 #pragma once
 
 #include <filesystem>
@@ -43,8 +43,9 @@ struct CommandLine {
   std::optional<std::filesystem::path> report;  ///< results.json to make the report of; nothing is drawn
   std::string answer;                           ///< to --help and --version; then nothing else counts
 
-  /// The protocol with all that was asked for; its name tells whether something was changed.
-  /// \param software  the renderer is a program. \throw UsageError  frames that end before they begin
+  /// The protocol with the options applied; its name tells whether something was changed.
+  /// \param software  the renderer is a program.
+  /// \throw UsageError  frames that end before they begin
   Protocol protocol(bool software) const;
 };
 

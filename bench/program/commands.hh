@@ -1,5 +1,5 @@
 /// \file
-/// What whittle-bench can be asked to do. Each returns the exit code.
+/// The commands of whittle-bench. Each returns the exit code.
 #pragma once
 
 #include "program/CommandLine.hh"
@@ -9,8 +9,9 @@ namespace whittle::bench {
 /// Lists EGL's devices with the renderers that they give.
 int print_devices();
 
-/// The benchmark. 1 where some set could not be drawn. \throw Stopped, SaveError, and whatever bad input
-/// throws
+/// The benchmark.
+/// \return 1 where a set could not be drawn.
+/// \throw Stopped, SaveError, and what bad input throws
 int run(const CommandLine& line);
 
 /// Writes the report of results that are there.

@@ -32,7 +32,8 @@ struct Figures {
 /// None while no repetition has both the set's time and the original's.
 std::optional<Figures> figures(const SetResult& set, const ExperimentResult& experiment);
 
-/// Of one figure, relative to the set's original: \pre values is not empty
+/// Of one figure, relative to the set's original.
+/// \pre values is not empty
 Certainty certainty(const Summary& improvement, std::size_t repetitions);
 
 }  // namespace whittle::bench

@@ -18,7 +18,8 @@ class ResultsError : public std::runtime_error {
 /// The stored fields, and beside them the figures formed from them, for other programs' sake.
 std::string json_text(const Results& results);
 
-/// Reads the stored fields back; the formed ones are ignored. \throw ResultsError
+/// Reads the stored fields back; the formed ones are ignored.
+/// \throw ResultsError
 Results parse_results(const std::string& text);
 
 }  // namespace whittle::bench

@@ -1,5 +1,5 @@
 /// \file
-/// What the user asked for.
+/// The command line's options.
 #pragma once
 
 #include <cstddef>

@@ -32,7 +32,7 @@ class Contender {
   virtual Arrays unload() = 0;
 };
 
-/// A contender with what it is told to do.
+/// A contender with its task.
 struct Entry {
   std::string method;            ///< "sweep", "DecimaterT", "meshopt_simplify"
   std::string module;            ///< "vt", "quadric + normal-flipping"; empty where there is none

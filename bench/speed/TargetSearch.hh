@@ -1,5 +1,5 @@
 /// \file
-/// What to ask of a method that does not leave as many faces as it is asked for.
+/// The best request to a method that does not leave as many faces as requested.
 #pragma once
 
 #include <cstddef>

@@ -12,7 +12,7 @@
 namespace whittle::speed {
 
 enum class Suite {
-  figures,  ///< everybody, on models of ordinary size
+  figures,  ///< all contenders, on models of ordinary size
   growth,   ///< sweep, bulk and meshopt_simplify, on models of growing size
   truth     ///< mq, meshopt_simplify and CGAL's Lindstrom-Turk down to many shares, with their topology
 };

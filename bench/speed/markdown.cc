@@ -141,7 +141,7 @@ void write_topology(std::ostream& out, const Json& model) {
   out << "\n";
 }
 
-/// Where the time of the contenders goes that tell it.
+/// The phases of the contenders that report them.
 void write_phases(std::ostream& out, const Json& model) {
   const Json* copy = nullptr;
   for (const Json& result : model.at("results"))

@@ -6,8 +6,8 @@
 
 namespace whittle::speed {
 
-/// Counts what operator new hands out while it lives, in all threads, this program's libraries included; what
-/// they take by malloc directly is not seen. A block counts as large as the allocator made it. Linking this
+/// Counts what operator new allocates during its lifetime, in all threads, libraries included; what they take by
+/// malloc directly is not seen. A block counts as large as the allocator made it. Linking this
 /// file replaces operator new and delete of the whole program; while nothing is counted they only pass on.
 /// \pre only one exists at a time
 class MemoryCount {

@@ -16,7 +16,7 @@ bool is_large(const Subject& subject) {
   return subject.n_faces() > kLargeFaces;
 }
 
-/// A run that nobody times: memory is counted, and the result scored.
+/// An untimed run: memory is counted, and the result scored.
 void rehearse(const Subject& subject, Scorer& scorer, Result& result) {
   const auto contender = result.entry.make();
   Phases phases;
@@ -61,7 +61,7 @@ void time(const Subject& subject, Result& result) {
 using Visit = std::pair<const Subject*, Result*>;
 
 /// A new order in which those who do the same, the same model to the same target, stay together: whatever
-/// else the machine does meanwhile meets them alike.
+/// else the machine does meanwhile affects them alike.
 void shuffle(std::vector<Visit>& visits, std::mt19937& random) {
   std::shuffle(visits.begin(), visits.end(), random);
   const auto task = [](const Visit& visit) {

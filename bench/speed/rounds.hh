@@ -49,7 +49,7 @@ struct ModelResults {
 };
 
 /// Every round visits every contender on every model, in an order of its own (shuffled, the same on every
-/// run), so that a machine that grows slower or faster meets all alike and no contender always follows the
+/// run), so that a machine that grows slower or faster affects all alike and no contender always follows the
 /// same other. The rounds are preceded by an untimed one, in which memory is counted and results are scored.
 std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector<Subject>& subjects,
                                      terminal::Progress& progress);

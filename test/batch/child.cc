@@ -20,7 +20,7 @@ Ending end_of(const std::string& script, const Limits& limits = {}) {
 
 }  // namespace
 
-TEST_CASE("a child tells how it ended and its last word") {
+TEST_CASE("a child reports how it ended and its last line") {
   CHECK(end_of("exit 0").succeeded());
   const Ending bad = end_of("echo first >&2; echo 'the last word' >&2; exit 7");
   CHECK(bad.how == Ending::How::exited);
@@ -33,7 +33,7 @@ TEST_CASE("a child tells how it ended and its last word") {
   CHECK(end_of("true", {}).message.empty());
 }
 
-TEST_CASE("a child that talks a lot does not hang, and its last line is kept short") {
+TEST_CASE("a child with much output does not hang, and its last line is shortened") {
   const Ending ending = end_of(
       "i=0; while [ $i -lt 5000 ]; do echo 'line after line after line' >&2; i=$((i+1)); done; "
       "head -c 5000 /dev/zero | tr '\\0' x >&2; exit 3");
@@ -55,7 +55,7 @@ TEST_CASE("a child gets no more memory than allowed") {
   CHECK_FALSE(ending.succeeded());
 }
 
-TEST_CASE("a program that is not there is an ending like another") {
+TEST_CASE("a child whose program is missing ends like any other") {
   Child child({"/no/such/program"}, {});
   for (;;)
     if (const auto ending = child.poll()) {

@@ -24,7 +24,7 @@ void leave_claim(const fs::path& file, int seconds_ago) {
 
 }  // namespace
 
-TEST_CASE("only one has a claim, and gives it back") {
+TEST_CASE("a claim has one owner, and is given back by its destructor") {
   const scratch::Folder folder;
   const fs::path file = folder.path() / "a";
   {
@@ -58,7 +58,7 @@ TEST_CASE("a claim that is touched does not grow old") {
   CHECK_FALSE(Claim::take(file));
 }
 
-TEST_CASE("of many threads that try at once one gets the claim") {
+TEST_CASE("a claim goes to one of many threads that try at once") {
   const scratch::Folder folder;
   for (int round = 0; round < 50; ++round) {
     const fs::path file = folder.path() / std::to_string(round);

@@ -52,7 +52,7 @@ TEST_CASE("a manifest names meshes relative to itself") {
   CHECK(items[1].in == "/data/b.obj");
 }
 
-TEST_CASE("what cannot be a batch is refused in one line that names the culprit") {
+TEST_CASE("a bad folder or manifest is refused in one line that names it") {
   const scratch::Folder folder;
   const auto why = [&](const fs::path& source, const std::string& format) -> std::string {
     try {

@@ -20,7 +20,7 @@ TEST_CASE("linear ticks are round and cover the values") {
   check(linear_ticks(0, 100), {0, 20, 40, 60, 80, 100});
 }
 
-TEST_CASE("a single value still gets a stretch of axis") {
+TEST_CASE("an axis over a single value has a length") {
   check(linear_ticks(0, 0), {0, 0.2, 0.4, 0.6, 0.8, 1});
   const auto around = linear_ticks(8, 8);
   CHECK(around.front() < 8);
@@ -33,11 +33,11 @@ TEST_CASE("logarithmic ticks are 1, 2 and 5 times powers of ten") {
   check(log_ticks(1, 1), {1, 2});
 }
 
-TEST_CASE("over many decades only powers of ten are left") {
+TEST_CASE("logarithmic ticks over many decades are powers of ten") {
   check(log_ticks(0.002, 300), {0.001, 0.01, 0.1, 1, 10, 100, 1000});
 }
 
-TEST_CASE("numbers are short, with commas between thousands") {
+TEST_CASE("an axis writes short numbers, with commas between thousands") {
   CHECK(number_text(0) == "0");
   CHECK(number_text(-0.0) == "0");
   CHECK(number_text(0.0013) == "0.0013");

@@ -25,7 +25,7 @@ TEST_CASE("a logarithmic axis takes errors over many powers of ten") {
              Catch::Contains(">0.001</text>") && Catch::Contains(">10</text>") && !Catch::Contains("nan"));
 }
 
-TEST_CASE("one point and no point are charts too") {
+TEST_CASE("a scatter chart may have one point or none") {
   ScatterChart chart;
   CHECK_THAT(chart.svg(), Catch::EndsWith("</svg>\n") && !Catch::Contains("nan"));
   chart.series = {{"one", {{5, 5, "alone"}}, true}};

@@ -4,11 +4,11 @@
 
 using namespace whittle::chart;
 
-TEST_CASE("what XML would misread is escaped") {
+TEST_CASE("SVG text is escaped for XML") {
   CHECK(escape("a < b & \"c\" > 'd'") == "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39;");
 }
 
-TEST_CASE("coordinates have two decimals at most") {
+TEST_CASE("SVG coordinates have two decimals at most") {
   CHECK(coordinate(1.23456) == "1.23");
   CHECK(coordinate(2) == "2");
   CHECK(coordinate(100) == "100");

@@ -35,7 +35,7 @@ bool is_in_part(const recipe::Result& result) {
 }
 
 /// Whether faces were left out after a decimation that kept them: of which mesh the result is then the
-/// likeness cannot be told.
+/// distance is not measured.
 bool is_cut_late(const recipe::Result& result) {
   return result.refused_faces > 0 && result.stages.front().driver == recipe::Driver::bulk;
 }

@@ -45,7 +45,7 @@ struct Tally {
   std::size_t meshes = 0, runs = 0, failures = 0;
 };
 
-/// What is said of one way to run one mesh; empty if all holds.
+/// The violations of one way to run one mesh; empty if all holds.
 std::string failure(const Case& c, const files::MeshFile& in, const corpus::Counted& before,
                     const corpus::Counted& taken, std::size_t& least) {
   recipe::Recipe recipe;

@@ -1,5 +1,5 @@
 /// \file
-/// What a file can make `whittle info` take: memory by its size, never by what it claims.
+/// A file makes `whittle info` take memory in proportion to its size, never to the counts it declares.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/resource.h>

@@ -125,7 +125,7 @@ void check_refused(const Folder& folder, const std::string& name, const std::str
   CHECK(folder.entries() == entries);
 }
 
-TEST_CASE("targets that cannot be written are refused before and when writing") {
+TEST_CASE("unwritable targets are refused before and when writing") {
   const Folder folder;
   folder.put("file", "x");
   fs::create_directory(folder / "folder.obj");
@@ -180,7 +180,7 @@ TEST_CASE("check_writable and check_creatable leave nothing behind") {
         "new: no extension; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
 }
 
-TEST_CASE("a name without a folder means the current one") {
+TEST_CASE("a path without a folder means the current one") {
   const Folder folder;
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());

@@ -1,5 +1,5 @@
 /// \file
-/// Attributes that a format holds come back as they were, and what it does not hold is said.
+/// Attributes that a format holds are read back as they were, and what it does not hold is reported.
 #include <map>
 
 #include "samples.hh"

@@ -10,7 +10,7 @@
 namespace whittle::files {
 namespace {
 
-TEST_CASE("GLB: as written") {
+TEST_CASE("GLB: meshes are written chunk by chunk as expected") {
   const Folder folder;
   write_mesh(folder / "a.glb", square(), {},
              {square_normals(), square_colours(true, false), square_texture(), scalar("q", {1, 2, 3, 4})});

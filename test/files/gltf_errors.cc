@@ -15,7 +15,7 @@ std::string error_of(const std::function<void(Json&)>& change) {
   return folder.error("a.gltf", gltf_text(json));
 }
 
-TEST_CASE("glTF: accessors and views out of bounds") {
+TEST_CASE("glTF: accessors and views out of bounds are refused") {
   const std::string beyond = "a.gltf: an accessor reaches beyond its data";
   CHECK(error_of([](Json&) {}).empty());
   CHECK(error_of([](Json& j) { j["accessors"][0]["count"] = 5; }) == beyond);
@@ -40,7 +40,7 @@ TEST_CASE("glTF: accessors and views out of bounds") {
         }) == "a.gltf: values that are not in the file");
 }
 
-TEST_CASE("glTF: references to what is not there") {
+TEST_CASE("glTF: references to missing objects are refused") {
   CHECK(error_of([](Json& j) { j["nodes"][0]["mesh"] = 1; }) == "a.gltf: its JSON is damaged: wrong 'mesh'");
   CHECK(error_of([](Json& j) { j["nodes"][0]["mesh"] = -1; }) == "a.gltf: its JSON is damaged: wrong 'mesh'");
   CHECK(error_of([](Json& j) { j["nodes"][0]["mesh"] = "0"; }) ==
@@ -63,7 +63,7 @@ TEST_CASE("glTF: references to what is not there") {
         }) == "a.gltf: indices that are not unsigned integers");
 }
 
-TEST_CASE("glTF: nodes in circles, or with two parents") {
+TEST_CASE("glTF: nodes in cycles or with two parents are refused") {
   const std::string twice = "a.gltf: its JSON is damaged: a node is there twice";
   CHECK(error_of([](Json& j) { j["nodes"][0]["children"] = {0}; }) == twice);
   CHECK(error_of([](Json& j) { j["scenes"][0]["nodes"] = {0, 0}; }) == twice);
@@ -72,7 +72,7 @@ TEST_CASE("glTF: nodes in circles, or with two parents") {
         }) == twice);
 }
 
-TEST_CASE("glTF: an index out of range") {
+TEST_CASE("glTF: an index out of range is refused") {
   const Folder folder;
   Json json = gltf_square();
   std::string text = gltf_text(json);
@@ -88,7 +88,7 @@ TEST_CASE("glTF: an index out of range") {
   CHECK(fixed.mesh.triangles == Triangles{{0, 1, 2}});
 }
 
-TEST_CASE("glTF: versions and extensions that are not known") {
+TEST_CASE("glTF: unknown versions and required extensions are refused") {
   CHECK(error_of([](Json& j) { j["asset"]["version"] = "1.0"; }) ==
         "a.gltf: glTF version '1.0' is not supported");
   CHECK(error_of([](Json& j) { j.erase("asset"); }) == "a.gltf: not glTF: it does not say its version");
@@ -99,7 +99,7 @@ TEST_CASE("glTF: versions and extensions that are not known") {
         "a.gltf: its JSON is damaged: 'extensionsRequired' is no list");
 }
 
-TEST_CASE("glTF: data that are not inside") {
+TEST_CASE("glTF: data outside the file are refused") {
   CHECK(error_of([](Json& j) { j["buffers"][0]["uri"] = "../a.bin"; }) ==
         "a.gltf: its data are in the file '../a.bin'; glTF is read only with all data inside");
   CHECK(error_of([](Json& j) { j["buffers"][0]["uri"] = "data:text/plain,abc"; }) ==
@@ -109,7 +109,7 @@ TEST_CASE("glTF: data that are not inside") {
         "a.gltf: the file is cut off: a buffer is longer than its data");
 }
 
-TEST_CASE("glTF: JSON that is none") {
+TEST_CASE("glTF: malformed JSON is refused") {
   const Folder folder;
   const auto error = [&](const std::string& text) { return folder.error("a.gltf", text); };
   CHECK(error("{") == "a.gltf: its JSON is damaged");
@@ -122,7 +122,7 @@ TEST_CASE("glTF: JSON that is none") {
         "a.gltf: not glTF: it does not say its version");
 }
 
-TEST_CASE("GLB: the container") {
+TEST_CASE("GLB: a damaged container is refused") {
   const Folder folder;
   const auto error = [&](std::string bytes, std::size_t at, const std::string& with) {
     return folder.error("a.glb", bytes.replace(at, with.size(), with));
@@ -140,7 +140,7 @@ TEST_CASE("GLB: the container") {
   CHECK(folder.read("a.glb", good + "x").report.ignored == Names{"bytes after the last chunk"});
 }
 
-TEST_CASE("glTF: a scene that is far larger than its file") {
+TEST_CASE("glTF: a scene far larger than its file is refused") {
   const Folder folder;
   Json json = gltf_square();
   json["accessors"][0]["count"] = 4;

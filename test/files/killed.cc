@@ -17,7 +17,8 @@
 namespace whittle::files {
 namespace {
 
-/// Runs an action in a process of its own that ends without cleaning up. \return its number
+/// Runs an action in a process of its own that ends without cleaning up.
+/// \return its process id
 pid_t start(const std::function<void()>& action) {
   const pid_t child = ::fork();
   REQUIRE(child >= 0);

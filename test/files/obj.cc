@@ -7,7 +7,7 @@ namespace {
 
 const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-TEST_CASE("OBJ: a triangle") {
+TEST_CASE("OBJ: a triangle is read") {
   const Folder folder;
   const MeshFile file =
       folder.read("a.obj", "# a comment\nv 0.1 -2e3 +.5\nv 1 0 0 # here too\nv 0 1 0\n\nf 1 2 3\n");
@@ -19,7 +19,7 @@ TEST_CASE("OBJ: a triangle") {
   CHECK_FALSE(file.single_precision);
 }
 
-TEST_CASE("OBJ: corners in all four forms") {
+TEST_CASE("OBJ: corners are read in all four forms") {
   const Folder folder;
   const MeshFile file = folder.read("a.obj", three +
                                                  "vt 0.5 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3/1\n"
@@ -135,7 +135,7 @@ TEST_CASE("OBJ: errors name the line") {
   CHECK(error(std::string(1000, 'x')) == "a.obj:4: unknown statement '" + std::string(40, 'x') + "...'");
 }
 
-TEST_CASE("OBJ: as written") {
+TEST_CASE("OBJ: meshes are written line by line as expected") {
   const Folder folder;
   IndexedMesh mesh;
   mesh.points = {{0.1, -0.0, 1e300}, {1, 2, 3}, {1.0 / 3, 0, 0}};

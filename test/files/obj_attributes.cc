@@ -1,5 +1,5 @@
 /// \file
-/// What OBJ says besides the shape.
+/// OBJ's attributes.
 #include "samples.hh"
 
 namespace whittle::files {

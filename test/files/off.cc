@@ -19,7 +19,7 @@ TEST_CASE("OFF: counts on the next line, on the header line, glued to it, withou
   }
 }
 
-TEST_CASE("OFF: comments anywhere") {
+TEST_CASE("OFF: comments may stand anywhere") {
   const Folder folder;
   const MeshFile file = folder.read("a.off",
                                     "# first\n\nOFF # here\n# there\n3 1 0#\n\n0 0 0 # one\n1 0 0\n#\n0 1 0\n"
@@ -73,7 +73,7 @@ TEST_CASE("OFF: errors name the line") {
         "a.off:4: expected an integer, found the end of the line");
 }
 
-TEST_CASE("OFF: as written") {
+TEST_CASE("OFF: meshes are written with counts, points and faces as expected") {
   const Folder folder;
   IndexedMesh mesh;
   mesh.points = {{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}};

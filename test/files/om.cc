@@ -142,7 +142,7 @@ IndexedMesh as_openmesh_has_it(const Mesh& mesh) {
   return result;
 }
 
-TEST_CASE("OM: what we write is read by OpenMesh") {
+TEST_CASE("OM: OpenMesh reads the files that Whittle writes") {
   const Folder folder;
   write_mesh(
       folder / "a.om", square(), {false, true},
@@ -258,7 +258,7 @@ TEST_CASE("OM: deleted faces, and what is not read") {
         Names{"faces marked as deleted", "status flags", "face normals", "bytes after the last chunk"});
 }
 
-TEST_CASE("OM: errors") {
+TEST_CASE("OM: damaged files are refused with a message") {
   const Folder folder;
   const auto error = [&](const OmBytes& file) { return folder.error("a.om", file.bytes); };
   const ChunkHeader list{false, Entity::face, Type::topology, false, false, 1, 2};

@@ -18,7 +18,7 @@ std::string header(const std::string& elements, const std::string& format = "asc
 const std::string plain = header("element vertex 3\n" + xyz + "element face 1\n" + corner_list);
 const std::string triangle = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-/// Appends in the byte order asked for.
+/// Appends in the given byte order.
 template <typename T>
 void append(std::string& to, T value, ByteOrder order) {
   const std::size_t begin = to.size();
@@ -26,7 +26,7 @@ void append(std::string& to, T value, ByteOrder order) {
   if (order == ByteOrder::big) std::reverse(to.begin() + static_cast<std::ptrdiff_t>(begin), to.end());
 }
 
-TEST_CASE("PLY: text") {
+TEST_CASE("PLY: a text file is read") {
   const Folder folder;
   const MeshFile file = folder.read("a.ply", plain + triangle);
   CHECK(file.mesh.points[2] == IndexedMesh::Point(0, 1, 0));
@@ -249,7 +249,7 @@ TEST_CASE("PLY: huge lists in binary bodies") {
         "a.ply: a list of negative length");
 }
 
-TEST_CASE("PLY: as written") {
+TEST_CASE("PLY: meshes are written header and body as expected") {
   const Folder folder;
   IndexedMesh mesh;
   mesh.points = {{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}};

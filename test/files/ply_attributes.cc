@@ -1,5 +1,5 @@
 /// \file
-/// What PLY says besides the shape.
+/// PLY's attributes.
 #include <algorithm>
 
 #include "files/bytes.hh"

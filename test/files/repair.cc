@@ -47,7 +47,7 @@ IndexedMesh touching() {
   return mesh;
 }
 
-TEST_CASE("repair: none looks for nothing, report counts, fix mends") {
+TEST_CASE("repair: none looks for nothing, report counts, fix repairs") {
   const MeshFile none = read_with(Repair::none, book());
   CHECK(none.report.notes().empty());
   CHECK(none.report.repair == Repair::none);

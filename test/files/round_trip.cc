@@ -58,7 +58,7 @@ TEST_CASE("round trip: writing twice gives the same bytes") {
   }
 }
 
-TEST_CASE("round trip: an empty mesh") {
+TEST_CASE("round trip: an empty mesh stays empty") {
   const Folder folder;
   for (const Flavour& flavour : flavours()) {
     INFO(flavour.file);

@@ -1,5 +1,5 @@
 /// \file
-/// What may be asked of every mesh that a reader gives, whatever it was given.
+/// What holds of every mesh that a reader returns, whatever the file.
 #pragma once
 
 #include <cmath>

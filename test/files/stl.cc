@@ -62,7 +62,7 @@ TEST_CASE("STL: triangles with equal corners are dropped and counted") {
   CHECK(bytes.report.dropped_degenerate == 1);
 }
 
-TEST_CASE("STL: binary") {
+TEST_CASE("STL: a binary file is read") {
   const Folder folder;
   const MeshFile file = folder.read("a.stl", binary(one_triangle));
   CHECK(file.mesh.points[1] == IndexedMesh::Point(1, 0, 0));
@@ -73,7 +73,7 @@ TEST_CASE("STL: binary") {
   CHECK(folder.read("a.stl", binary({})).mesh.triangles.empty());
 }
 
-TEST_CASE("STL: binary that begins with 'solid'") {
+TEST_CASE("STL: a binary file that begins with 'solid' is read as binary") {
   const Folder folder;
   CHECK(folder.read("a.stl", binary(one_triangle, "solid by someone")).report.format == "STL, binary");
   CHECK(folder.read("a.stl", binary(one_triangle, "solid" + std::string(75, ' '))).report.format ==
@@ -90,7 +90,7 @@ TEST_CASE("STL: attributes and bytes behind the end are named") {
         Names{"bytes after the last triangle"});
 }
 
-TEST_CASE("STL: errors") {
+TEST_CASE("STL: damaged files are refused with a message") {
   const Folder folder;
   const auto error = [&](const std::string& text) { return folder.error("a.stl", text); };
   CHECK(error("hello") == "a.stl: the file is cut off: too short for an STL header");
@@ -111,7 +111,7 @@ TEST_CASE("STL: errors") {
   CHECK(error("solid\nendsolid\nmore\n") == "a.stl:3: expected 'solid', found 'more'");
 }
 
-TEST_CASE("STL: as written, with normals") {
+TEST_CASE("STL: facets are written with their normals") {
   const Folder folder;
   IndexedMesh mesh;
   mesh.points = {{0, 0, 0}, {2, 0, 0}, {0, 0.1, 0}};

@@ -82,7 +82,7 @@ TEST_CASE("faces closer together than single precision can tell are told apart")
   }
 }
 
-TEST_CASE("points very far from the surface") {
+TEST_CASE("the closest face is found from points very far from the surface") {
   const IndexedMesh target = soup(7, 200);
   std::vector<Eigen::Vector3d> points;
   for (const double far : {1e3, 1e5, 1e6, 1e8, 1e30}) {
@@ -92,7 +92,7 @@ TEST_CASE("points very far from the surface") {
   compare_with_all(target, points, 1);
 }
 
-TEST_CASE("of equally close faces the first is the answer, and all of them are within") {
+TEST_CASE("the closest of equally close faces is the first, and all of them are within the distance") {
   const IndexedMesh mesh = tent(1);
   const Surface surface(mesh);
   const ClosestFace tree(surface, 1);

@@ -43,7 +43,7 @@ TEST_CASE("parallel squares are their height apart") {
   CHECK(d.flipped_faces == 0);
 }
 
-TEST_CASE("a tent over a flat square: height / 3 on average") {
+TEST_CASE("the distance of a tent over a flat square is a third of its height on average") {
   const double height = 0.3;
   const Distance d = distance(tent(0), tent(height), kQuick);
   CHECK(d.backward.max == Approx(height).epsilon(1e-14));
@@ -60,7 +60,7 @@ TEST_CASE("a spike of one vertex is met although no sample lies on its tip") {
   CHECK(d.forward.max < 2);
 }
 
-TEST_CASE("what is missing on one side counts on that side only") {
+TEST_CASE("a distance counts what one mesh lacks on that side only") {
   IndexedMesh two = square(0, 0);
   append(two, square(3, 0));
   const Distance d = distance(two, square(0, 0), kQuick);
@@ -100,14 +100,14 @@ TEST_CASE("distances scale with the meshes and do not change when they are moved
   CHECK(moved.two_sided.max == Approx(unit.two_sided.max).epsilon(1e-8));
 }
 
-TEST_CASE("few samples come close to many") {
+TEST_CASE("a distance by few samples comes close to one by many") {
   const IndexedMesh fine = torus(60, 30), coarse = torus(20, 10);
   const Distance few = distance(fine, coarse, {5000, 1}), many = distance(fine, coarse, {200000, 2});
   CHECK(few.two_sided.mean == Approx(many.two_sided.mean).epsilon(0.005));
   CHECK(few.two_sided.rms == Approx(many.two_sided.rms).epsilon(0.005));
 }
 
-TEST_CASE("the number of threads does not change a bit of the result") {
+TEST_CASE("the distance is the same to the bit on any number of threads") {
   const IndexedMesh original = torus(40, 20), simplified = torus(30, 15);
   const Distance one = distance(original, simplified, {20000, 1});
   for (const unsigned threads : {2u, 3u, 0u}) {
@@ -176,7 +176,7 @@ TEST_CASE("degenerate faces are left out on both sides") {
   CHECK(distance(square(0, 0), original, kQuick).flipped_faces == 0);
 }
 
-TEST_CASE("distances refuse what has no surface") {
+TEST_CASE("the distance refuses a mesh without surface") {
   const IndexedMesh line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
   CHECK_THROWS_AS(distance({}, tetrahedron()), InvalidMesh);
   CHECK_THROWS_AS(distance(tetrahedron(), {}), InvalidMesh);

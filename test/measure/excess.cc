@@ -37,7 +37,7 @@ TEST_CASE("the excess names the vertices of the faces that lie too far") {
   CHECK(excess(before, after, 0.5).none());
 }
 
-TEST_CASE("the excess refuses what means nothing") {
+TEST_CASE("the excess refuses parameters out of range") {
   CHECK_THROWS_AS(excess(square(0, 0), square(0, 0), -1), InvalidParameter);
   CHECK_THROWS_AS(excess(square(0, 0), IndexedMesh(), 1), InvalidMesh);
 }

@@ -22,7 +22,7 @@ TEST_CASE("facts of the empty mesh are all zero") {
   CHECK_FALSE(f.closed());
 }
 
-TEST_CASE("facts of a single triangle") {
+TEST_CASE("the facts of a single triangle are those of one face and one boundary loop") {
   const MeshFacts f = facts(single_triangle());
   CHECK(f.vertices == 3);
   CHECK(f.faces == 1);
@@ -46,7 +46,7 @@ TEST_CASE("facts of a single triangle") {
   CHECK_FALSE(f.closed());
 }
 
-TEST_CASE("facts of a tetrahedron") {
+TEST_CASE("the facts of a tetrahedron are those of a closed surface") {
   const MeshFacts f = facts(tetrahedron());
   CHECK(f.edges == 6);
   CHECK(f.boundary_edges == 0);
@@ -88,7 +88,7 @@ TEST_CASE("two tetrahedra on a common vertex are two components and two fans") {
   CHECK(f.euler_characteristic == 3);
 }
 
-TEST_CASE("facts of an open grid, whole and with a hole") {
+TEST_CASE("the facts of an open grid count its boundaries, whole and with a hole") {
   IndexedMesh mesh = grid(4);
   MeshFacts f = facts(mesh);
   CHECK(f.vertices == 25);
@@ -118,7 +118,7 @@ TEST_CASE("a bow-tie vertex has two fans and one chain of boundary edges") {
   CHECK(f.boundary_edges == 6);
 }
 
-TEST_CASE("three faces on an edge") {
+TEST_CASE("an edge of three faces is non-manifold") {
   const IndexedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
                          {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
   const MeshFacts f = facts(mesh);
@@ -151,7 +151,7 @@ TEST_CASE("duplicate faces are found in any order of their vertices") {
   CHECK(f.nonmanifold_edges == 3);
 }
 
-TEST_CASE("degenerate faces: a vertex twice, no area, coincident points") {
+TEST_CASE("faces with a vertex twice, without area or with coincident points are degenerate") {
   IndexedMesh mesh = single_triangle();
   mesh.points.insert(mesh.points.end(), {{6, 0, 0}, {0, 0, 0}, {1, 1e-13, 0}});
   mesh.triangles.push_back({0, 1, 1});  // takes no part in the connections
@@ -178,13 +178,13 @@ TEST_CASE("degenerate faces: a vertex twice, no area, coincident points") {
   CHECK_FALSE(only_collapsed.closed());
 }
 
-TEST_CASE("being degenerate does not depend on the scale") {
+TEST_CASE("degenerate faces do not depend on the scale") {
   for (const double scale : {1e-9, 1.0, 1e9}) {
     CHECK(facts(transformed(single_triangle(), scale, {0, 0, 0})).degenerate_faces == 0);
   }
 }
 
-TEST_CASE("isolated vertices do not count in Euler's number") {
+TEST_CASE("the Euler characteristic leaves out isolated vertices") {
   IndexedMesh mesh = tetrahedron();
   mesh.points.emplace_back(0, 0, 9);
   const MeshFacts f = facts(mesh);
@@ -194,7 +194,7 @@ TEST_CASE("isolated vertices do not count in Euler's number") {
   CHECK(f.box_max.z() == 9);
 }
 
-TEST_CASE("a torus has Euler's number 0") {
+TEST_CASE("a torus has the Euler characteristic 0") {
   const MeshFacts f = facts(torus(96, 48));
   CHECK(f.euler_characteristic == 0);
   CHECK(f.closed());

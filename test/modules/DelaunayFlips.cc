@@ -185,7 +185,7 @@ TEST_CASE("a flip to an edge that is there already waits until that is gone") {
   CHECK(topology(living(mesh)) == topology(in));
 }
 
-TEST_CASE("only neighbourhoods of the region change") {
+TEST_CASE("the Delaunay flips change nothing outside the region's one-rings") {
   IndexedMesh in = diamond();
   in.points.push_back({9, 9, 9});
   for (std::size_t v = 0; v < 5; ++v) {
@@ -243,7 +243,7 @@ TEST_CASE("half-edge texture coordinates are right at all corners after flips, a
     for (const auto h : mesh.fh_range(f)) CHECK(mesh.texcoord2D(h) == right(h, chart[std::size_t(f.idx())]));
 }
 
-TEST_CASE("deleted elements are skipped") {
+TEST_CASE("the Delaunay flips skip deleted elements") {
   Mesh mesh = fixture::to_openmesh<Mesh>(meshes::shaken(meshes::torus(24, 14), 0.02, 2));
   mesh.request_vertex_status();
   mesh.request_edge_status();

@@ -33,7 +33,7 @@ Module& add(D& decimater) {
   return decimater.module(handle);
 }
 
-const bool kQuiet = (omlog().disable(), true);  // McDecimaterT says when it gives up
+const bool kQuiet = (omlog().disable(), true);  // McDecimaterT prints when it gives up
 
 constexpr int kModules = 6;
 template <typename D>
@@ -96,7 +96,7 @@ void add_constraint(D& decimater, int which) {
   }
 }
 
-/// MixedDecimaterT wants to be told how much of the work McDecimaterT does first.
+/// MixedDecimaterT needs the share of the work that McDecimaterT does first.
 constexpr float kMcPart = 0.5f;
 template <typename D>
 constexpr bool is_mixed = std::is_same_v<D, om::MixedDecimaterT<Mesh>>;
@@ -189,7 +189,7 @@ TEST_CASE("MixedDecimaterT runs every module beside every constraint") {
   check_all<om::MixedDecimaterT<Mesh>>();
 }
 
-TEST_CASE("targets are met in every decimater") {
+TEST_CASE("modules meet targets in every decimater") {
   check_targets<om::DecimaterT<Mesh>>();
   check_targets<om::McDecimaterT<Mesh>>();
   check_targets<om::MixedDecimaterT<Mesh>>();

@@ -78,7 +78,7 @@ TEST_CASE("batch resumes: what is done stays as it is, what has changed is done 
   CHECK_THAT(scans.run({"--resume", "--module", "ss"}).out, Contains("4 done;"));
 }
 
-TEST_CASE("batch leaves a mesh to whoever has claimed it") {
+TEST_CASE("batch skips a mesh that another process has claimed") {
   const Scans scans;
   fs::create_directories(scans.out() / ".whittle/claims");
   std::ofstream(scans.out() / ".whittle/claims/a.ply") << "elsewhere-1\n";
@@ -120,7 +120,7 @@ TEST_CASE("batch takes a manifest, another format, and limits") {
   CHECK_THAT(late.err, Contains("out of time"));
 }
 
-TEST_CASE("a batch that cannot be is refused before anything is begun") {
+TEST_CASE("an impossible batch is refused before anything is started") {
   const Scans scans;
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--module", "nothing"},
                                                {"--jobs", "0"},

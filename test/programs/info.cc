@@ -23,7 +23,7 @@ TEST_CASE("info counts what is in a file") {
   CHECK(mesh["components"] == 1);
 }
 
-TEST_CASE("info says what the reader could not take as it stood") {
+TEST_CASE("info reports what the reader changed or left out") {
   const programs::Folder folder;
   std::ofstream(folder / "quad.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng all\nf 1 2 3 4\n";
   const auto done =
@@ -36,7 +36,7 @@ TEST_CASE("info says what the reader could not take as it stood") {
   CHECK(programs::run(WHITTLE_PROGRAM, {"info", folder / "quad.obj", "--quiet"}).err.empty());
 }
 
-TEST_CASE("info refuses what is no mesh") {
+TEST_CASE("info refuses a file that is no mesh") {
   const programs::Folder folder;
   std::ofstream(folder / "poem.ply") << "the fog comes\n";
   for (const std::string name : {"none.ply", "poem.ply", ""}) {

@@ -58,7 +58,7 @@ TEST_CASE("lods takes any module, and other ratios") {
   CHECK(files::read_mesh(in.folder / "out-lod2.obj").mesh.triangles.size() <= 1318);
 }
 
-TEST_CASE("lods says when a level cannot be had, and refuses what means nothing") {
+TEST_CASE("lods reports a level out of reach, and refuses parameters out of range") {
   const TorusFile in;
   const auto short_of = whittle_program({"lods", in.path, "--out", in.folder / "out.ply", "--levels", "12"});
   CHECK(short_of.code == 1);

@@ -8,7 +8,7 @@ using namespace whittle;
 using Catch::Matchers::Contains;
 using Json = nlohmann::json;
 
-TEST_CASE("measure tells the distance of two parallel squares") {
+TEST_CASE("measure prints the distance of two parallel squares") {
   const programs::Folder folder;
   IndexedMesh low = meshes::flat_grid(2), high = low;
   for (auto& p : high.points) p.z() = 0.25;

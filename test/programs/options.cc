@@ -29,7 +29,7 @@ IndexedMesh result(const TorusFile& in) {
 
 }  // namespace
 
-TEST_CASE("a bound by --max-distance is kept and said, with and without a target") {
+TEST_CASE("a bound by --max-distance is kept and reported, with and without a target") {
   const TorusFile in;
   for (const std::string module : {"mq", "vt"}) {
     INFO(module);
@@ -97,7 +97,7 @@ TEST_CASE("a flat grid keeps all its area with every module, and a locked bounda
   CHECK(measure::facts(files::read_mesh(folder / "out.ply").mesh).boundary_edges == 4 * 59);
 }
 
-TEST_CASE("attributes come through, and what a format cannot hold is said") {
+TEST_CASE("attributes come through simplify, and those that a format cannot hold are reported") {
   programs::Folder folder;
   std::ofstream obj(folder / "grid.obj");
   constexpr int n = 20;
@@ -134,7 +134,7 @@ TEST_CASE("attributes come through, and what a format cannot hold is said") {
   CHECK_THAT(stl.err, Contains("texture coordinates"));
 }
 
-TEST_CASE("weights keep detail, and must be there") {
+TEST_CASE("--weights keeps detail, and a missing property is refused") {
   programs::Folder folder;
   const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
   attributes::Attribute importance{attributes::Kind::scalar, "importance", 1, false, false, {}, {}};
@@ -162,7 +162,7 @@ TEST_CASE("weights keep detail, and must be there") {
   CHECK_THAT(none.err, Contains("no vertex property 'x'; there are importance"));
 }
 
-TEST_CASE("standard input and output") {
+TEST_CASE("whittle reads standard input and writes standard output") {
   const TorusFile in;
   const std::string command = "'" WHITTLE_PROGRAM "' simplify - - --format ply --ratio 0.5 <'" + in.path +
                               "' >'" + in.folder / "out.ply" + "'";

@@ -138,7 +138,7 @@ TEST_CASE("a target without a module goes to mq, with any driver to the same sur
   CHECK(files::read_mesh(in.folder / "out.ply").mesh.points.size() == 300);
 }
 
-TEST_CASE("faces that OpenMesh cannot take are counted and said") {
+TEST_CASE("simplify counts and reports faces that OpenMesh cannot take") {
   const Input in;
   IndexedMesh mesh = in.mesh;
   mesh.triangles.push_back({mesh.triangles[0][0], mesh.triangles[0][1], 700});
@@ -194,7 +194,7 @@ TEST_CASE("bad usage and bad input are exit 2 with one line that names the culpr
   refused({"simplify", in.path, "/dev/null/out.ply", "--module", "fad"}, "/dev/null");
 }
 
-TEST_CASE("help and version are exit 0 on stdout") {
+TEST_CASE("whittle answers --help and --version on stdout with exit 0") {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"--help"}, {"--version"}, {"simplify", "--help"}, {"measure", "--help"}, {"info", "--help"}}) {
     const auto done = programs::run(WHITTLE_PROGRAM, arguments);

@@ -52,7 +52,7 @@ TEST_CASE("the bound on the distance holds for every module, and what it reports
       CHECK(result.mesh.triangles.size() < mesh.triangles.size());
       if (recipe.modules[0].parameters.empty() || spec == "vt:passes=3") {
         CHECK(result.stopped_by_bound);
-      } else {  // it says so where, and only where, it had to do something
+      } else {  // the note is there exactly where something was changed
         Recipe free = recipe;
         free.max_distance.reset();
         CHECK(result.stopped_by_bound == (farthest(mesh, run(mesh, free)) > bound));

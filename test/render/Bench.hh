@@ -22,7 +22,7 @@ class Bench {
  public:
   Bench() { whittle::files::write_mesh(folder_ / "ball.obj", whittle::bench::generated_mesh(12)); }
 
-  /// The exit code; what the program said is then in `out` and `err`.
+  /// The exit code; the output is then in `out` and `err`.
   int run(const std::string& arguments, const std::string& before = "") {
     const std::string command = "cd '" + folder().string() + "' && " + before +
                                 " '" WHITTLE_BENCH_PROGRAM "' " + arguments + " > out.txt 2> err.txt";

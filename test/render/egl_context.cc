@@ -25,7 +25,7 @@ TEST_CASE("contexts can be made one after the other") {
   }
 }
 
-TEST_CASE("software can be asked for") {
+TEST_CASE("the software renderer can be requested of a context") {
   const egl::EglContext context({std::nullopt, true});
   INFO(context.facts().device << ": " << context.facts().renderer);
   CHECK(context.facts().device.find("hardware") == std::string::npos);

@@ -67,7 +67,7 @@ TEST_CASE("all sets are timed in every repetition, in rotated order, and saved a
   CHECK(example.saved == 6);  // nothing is missing
 }
 
-TEST_CASE("asked to stop, it keeps what it has") {
+TEST_CASE("time_sets keeps its visits when it is stopped") {
   Example example(2, 1);
   CHECK_THROWS_AS(example.time(1, [&] { return example.saved == 1; }), bench::Stopped);
   CHECK(example.experiment.sets[0].visits.size() == 1);

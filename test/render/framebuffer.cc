@@ -23,12 +23,12 @@ std::size_t colours(int samples) {
 
 }  // namespace
 
-TEST_CASE("several samples a pixel blend the edges") {
+TEST_CASE("a framebuffer with several samples a pixel blends edges") {
   const egl::EglContext context;
   CHECK(colours(4) > colours(1));
 }
 
-TEST_CASE("rows come from the top and are as wide as asked") {
+TEST_CASE("a framebuffer's image has the requested width and its rows from the top") {
   const egl::EglContext context;
   const render::Framebuffer framebuffer(5, 3);
   glClearColor(0, 0, 0, 1);
@@ -45,7 +45,7 @@ TEST_CASE("rows come from the top and are as wide as asked") {
     for (int x = 0; x < 5; ++x) CHECK(image.at(x, y)[0] == (x == 4 && y == 0 ? 255 : 0));
 }
 
-TEST_CASE("an impossible size is an error") {
+TEST_CASE("a framebuffer of impossible size is an error") {
   const egl::EglContext context;
   CHECK_THROWS_AS(render::Framebuffer(0, 16), render::RenderError);
   CHECK_THROWS_AS(render::Framebuffer(16, 1 << 20), render::RenderError);

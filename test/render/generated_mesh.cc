@@ -31,7 +31,7 @@ TEST_CASE("the generated mesh is no sphere") {
   CHECK(farthest > 1.2 * nearest);
 }
 
-TEST_CASE("every frequency gives a closed mesh of known counts") {
+TEST_CASE("the generated mesh is closed and has known counts at every frequency") {
   for (const int f : {1, 2, 3, 8}) {
     const auto facts = measure::facts(bench::generated_mesh(f, 1));
     CHECK(facts.vertices == static_cast<std::size_t>(10 * f * f + 2));

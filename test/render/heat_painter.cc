@@ -19,7 +19,7 @@ std::array<std::uint8_t, 4> painted(float value) {
 
 }  // namespace
 
-TEST_CASE("no error is violet, the most is yellow, and more than that too") {
+TEST_CASE("heat colours run from violet without error to yellow at the most and beyond") {
   const egl::EglContext context;
   const auto none = painted(0), half = painted(0.5), most = painted(1), beyond = painted(7);
   CHECK(none[2] > none[1]);

@@ -16,7 +16,7 @@ render::Image grey(int side, std::uint8_t level) {
 
 }  // namespace
 
-TEST_CASE("the same picture has no difference") {
+TEST_CASE("a picture does not differ from itself") {
   const auto d = bench::image_difference(grey(20, 100), grey(20, 100));
   CHECK(d.squared_error == 0);
   CHECK(d.ssim == Approx(1));
@@ -29,7 +29,7 @@ TEST_CASE("PSNR is that of the mean squared error") {
   CHECK(bench::psnr(100) == Approx(28.1308));
 }
 
-TEST_CASE("of two even greys SSIM compares the means alone") {
+TEST_CASE("SSIM of two even greys compares the means alone") {
   // The one black pixel in the corner is seen by few windows of many.
   const double c1 = 0.01 * 255 * 0.01 * 255;
   const auto d = bench::image_difference(grey(200, 100), grey(200, 50));
@@ -42,7 +42,7 @@ TEST_CASE("two pictures of nothing but background are the same") {
   CHECK(bench::image_difference(one, one).squared_error == 0);
 }
 
-TEST_CASE("the background does not count") {
+TEST_CASE("the image difference leaves out the background") {
   auto a = grey(20, 0), b = grey(20, 0);
   const std::size_t middle = 4 * (10 * 20 + 10);
   for (int c = 0; c < 3; ++c) b.rgba[middle + c] = 200;
@@ -56,7 +56,7 @@ TEST_CASE("luma weighs green most") {
   CHECK(bench::image_difference(a, b).squared_error == Approx(58.7 * 58.7));
 }
 
-TEST_CASE("several views: the mean of the errors, and the worst") {
+TEST_CASE("the difference of several views is the mean of the errors, and the worst") {
   const std::vector<render::Image> a = {grey(20, 100), grey(20, 100)}, b = {grey(20, 100), grey(20, 120)};
   const auto d = bench::views_difference(a, b);
   CHECK(d.psnr_db == Approx(bench::psnr(200)));

@@ -46,7 +46,7 @@ TEST_CASE("quality is 1 for an equilateral triangle and falls as it grows thin")
   CHECK(bench::triangle_quality({}).mean == 0);
 }
 
-TEST_CASE("one face in twenty is worse than the fifth percentile") {
+TEST_CASE("the fifth percentile of quality is undercut by one face in twenty") {
   IndexedMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}, {2, 0, 0}}, {}};
   for (int i = 0; i < 19; ++i) mesh.triangles.push_back({0, 1, 2});
   mesh.triangles.push_back({0, 1, 3});
@@ -55,14 +55,14 @@ TEST_CASE("one face in twenty is worse than the fifth percentile") {
   CHECK(bench::triangle_quality(mesh).p05 == Approx(0).margin(1e-12));
 }
 
-TEST_CASE("distances are those of the original's points") {
+TEST_CASE("the deviation's distances are those of the original's points") {
   const auto distances = bench::distances_to(triangle(0.25), triangle(0));
   REQUIRE(distances.size() == 3);
   CHECK(distances[0] == Approx(0).margin(1e-12));
   CHECK(distances[2] == Approx(0.25));
 }
 
-TEST_CASE("nothing can be compared with no surface") {
+TEST_CASE("the normal deviation refuses a mesh without surface") {
   CHECK_THROWS_AS(bench::normal_deviation(triangle(0), {}), InvalidMesh);
   CHECK_THROWS_AS(bench::distances_to(triangle(0), {}), InvalidMesh);
 }

@@ -62,14 +62,14 @@ TEST_CASE("the report can be made again from the results alone, there or elsewhe
   CHECK(scratch::contents(bench.folder() / "elsewhere/report.html") == html);
 }
 
-TEST_CASE("an option given twice counts as given last, and sets may be given in several goes") {
+TEST_CASE("whittle-bench takes the last of a repeated option, and sets from several") {
   Bench bench;
   CHECK(bench.run(std::string(kShort) + "--out r2 --sets fad-30 --sets fad-150 --quiet") == 0);
   CHECK_FALSE(fs::exists(bench.folder() / "r"));
   CHECK(bench.files_in("r2/pictures").size() == 8);
 }
 
-TEST_CASE("pictures alone: no times, no results, and older results stay as they are") {
+TEST_CASE("whittle-bench with pictures alone writes no times and no results, and older results stay") {
   Bench bench;
   fs::create_directories(bench.folder() / "r");
   std::ofstream(bench.folder() / "r" / "results.json") << "older";
@@ -83,14 +83,14 @@ TEST_CASE("pictures alone: no times, no results, and older results stay as they 
   CHECK_THAT(bench.err, !Catch::Contains("repetition"));
 }
 
-TEST_CASE("quiet is quiet") {
+TEST_CASE("whittle-bench --quiet writes nothing") {
   Bench bench;
   CHECK(bench.run(std::string(kShort) + "--sets original --quiet") == 0);
   CHECK(bench.out.empty());
   CHECK(bench.err.empty());
 }
 
-TEST_CASE("bad usage and bad input end with 2 and one line") {
+TEST_CASE("bad usage and bad input end whittle-bench with 2 and one line") {
   Bench bench;
   std::ofstream(bench.folder() / "broken.obj") << "f 1 2 3\n";
   std::ofstream(bench.folder() / "points.obj") << "v 1 2 3\n";
@@ -131,7 +131,7 @@ TEST_CASE("bad usage and bad input end with 2 and one line") {
   }
 }
 
-TEST_CASE("without a usable EGL device it says what to install") {
+TEST_CASE("whittle-bench without a usable EGL device names what to install") {
   Bench bench;
   // An empty list of vendors leaves the EGL dispatch library without any driver.
   CHECK(bench.run(kShort, "__EGL_VENDOR_LIBRARY_FILENAMES=/dev/null") == 2);
@@ -139,7 +139,7 @@ TEST_CASE("without a usable EGL device it says what to install") {
   CHECK(std::count(bench.err.begin(), bench.err.end(), '\n') == 1);
 }
 
-TEST_CASE("help, version and devices are answered") {
+TEST_CASE("whittle-bench answers --help, --version and --devices") {
   Bench bench;
   CHECK(bench.run("--help") == 0);
   CHECK_THAT(bench.out, Catch::Contains("--frames-from") && Catch::Contains("report"));

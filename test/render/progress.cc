@@ -31,7 +31,7 @@ TEST_CASE("a terminal gets one line that is written over and taken away") {
   CHECK(two_steps(ProgressStyle::terminal).find('\n') == std::string::npos);
 }
 
-TEST_CASE("quiet says nothing") {
+TEST_CASE("silent progress writes nothing") {
   CHECK(two_steps(ProgressStyle::silent).empty());
 }
 

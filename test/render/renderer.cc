@@ -65,13 +65,13 @@ TEST_CASE("an empty mesh leaves the background") {
   for (int i = 0; i < 16; ++i) CHECK(image.at(i % 4, i / 4) == background());
 }
 
-TEST_CASE("the nearer triangle is seen whichever is drawn first") {
+TEST_CASE("the renderer shows the nearer triangle, whichever is drawn first") {
   const egl::EglContext context;
   CHECK(clay(picture(front_then_back(0.5, -0.5), flat_camera(), 8).at(3, 3)));
   CHECK(reddish(picture(front_then_back(-0.5, 0.5), flat_camera(), 8).at(3, 3)));
 }
 
-TEST_CASE("the inner side of a surface is red") {
+TEST_CASE("the renderer draws the inner side of a surface red") {
   const egl::EglContext context;
   auto mesh = corner_triangle();
   std::swap(mesh.triangles[0][1], mesh.triangles[0][2]);

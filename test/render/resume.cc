@@ -79,7 +79,7 @@ TEST_CASE("without --resume older results are set aside, not written over") {
   CHECK(scratch::contents(bench.folder() / "r/results.1.json") == before);
 }
 
-TEST_CASE("a full disk ends with 1 and one line, and keeps what was saved") {
+TEST_CASE("a full disk ends whittle-bench with 1 and one line, and what was saved stays") {
   Bench bench;
   REQUIRE(bench.run(std::string(kShort) + "--sets vt --quiet") == 0);
   const auto before = scratch::contents(bench.folder() / "r/results.json");

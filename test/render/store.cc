@@ -9,7 +9,7 @@
 using namespace whittle;
 namespace fs = std::filesystem;
 
-TEST_CASE("what is saved is loaded again") {
+TEST_CASE("a store loads what it saved") {
   const scratch::Folder folder;
   const bench::Store store(folder.path() / "new");
   CHECK_FALSE(store.load());
@@ -19,7 +19,7 @@ TEST_CASE("what is saved is loaded again") {
   CHECK(bench::json_text(*loaded) == bench::json_text(example::results()));
 }
 
-TEST_CASE("older results are set aside under names that are free") {
+TEST_CASE("a store renames older results to free names") {
   const scratch::Folder folder;
   const bench::Store store(folder.path());
   CHECK_FALSE(store.set_aside());
@@ -30,7 +30,7 @@ TEST_CASE("older results are set aside under names that are free") {
   CHECK_FALSE(fs::exists(folder.path() / "results.json"));
 }
 
-TEST_CASE("a file that is not whole is an error that names it") {
+TEST_CASE("a results file that is cut off is an error that names it") {
   const scratch::Folder folder;
   const bench::Store store(folder.path());
   std::ofstream(folder.path() / "results.json") << "{\"schema\":";
@@ -38,11 +38,11 @@ TEST_CASE("a file that is not whole is an error that names it") {
   CHECK_THROWS_WITH(bench::read_text(folder.path() / "missing"), Catch::Contains("missing: No such file"));
 }
 
-TEST_CASE("a folder that cannot be is an error at once") {
+TEST_CASE("a store in an impossible folder is an error at once") {
   CHECK_THROWS(bench::Store("/dev/null/folder"));
 }
 
-TEST_CASE("results go on only with the same model, protocol, machine and sets") {
+TEST_CASE("a store resumes only with the same model, protocol, machine and sets") {
   const auto earlier = example::results();
   CHECK(bench::difference(earlier, earlier).empty());
   auto wanted = earlier;

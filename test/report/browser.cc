@@ -36,7 +36,7 @@ addEventListener("load", () => {
 
 }  // namespace
 
-TEST_CASE("in a browser all charts and pictures are there, and the console has no error") {
+TEST_CASE("the HTML report shows all charts and pictures in a browser, without a console error") {
   const std::string chromium = WHITTLE_CHROMIUM;
   if (chromium.empty() || !fs::exists(chromium)) {
     WARN("skipped: chromium is not installed; bootstrap.sh installs it");

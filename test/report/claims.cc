@@ -26,7 +26,7 @@ TEST_CASE("a claim holds near it or where the spread covers it") {
   CHECK(bench::judge(30, {-5, -6, -4}, 10) == Word::fails);
 }
 
-TEST_CASE("a spread larger than the effect decides nothing, and one repetition neither") {
+TEST_CASE("a claim is undecided where the spread exceeds the effect, or with one repetition") {
   CHECK(bench::judge(2, {2, 0, 5}, 10) == Word::undecided);
   CHECK(bench::judge(30, {30, 30, 30}, 1) == Word::undecided);
 }

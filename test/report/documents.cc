@@ -19,7 +19,7 @@ TEST_CASE("bytes become base64 with padding") {
   CHECK(bench::base64("\xff\xfe\xfd") == "//79");
 }
 
-TEST_CASE("figures are written for people") {
+TEST_CASE("a report rounds figures for readers") {
   CHECK(bench::fixed(-0.04, 1) == "0.0");
   CHECK(bench::fixed(-0.06, 1) == "-0.1");
   CHECK(bench::thousands(1234567) == "1,234,567");
@@ -56,7 +56,7 @@ TEST_CASE("fidelity is in parts of the mean edge") {
                  "| VT | 0.000 | 0.000 | 0.750 (0.500 to 1.000) | 0.600 (0.400 to 0.800) | 100.0 | 150.0 |"));
 }
 
-TEST_CASE("a spread larger than the effect is said and marked") {
+TEST_CASE("a report names and marks a spread larger than the effect") {
   const auto page = bench::markdown_text(bench::make_document(example::results()));
   CHECK_THAT(page, Catch::Contains("cannot be told from this run: ivdd-0.0011."));
   CHECK_THAT(page, Catch::Contains("| -4.4 (-20.0 to 11.1) ≈ |"));

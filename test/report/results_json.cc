@@ -8,7 +8,7 @@
 using namespace whittle;
 using nlohmann::json;
 
-TEST_CASE("results come back from their JSON as they were") {
+TEST_CASE("results read from their JSON are those written") {
   const auto results = example::results();
   const auto text = bench::json_text(results);
   CHECK(bench::json_text(bench::parse_results(text)) == text);
@@ -42,7 +42,7 @@ TEST_CASE("the JSON names every figure with its unit, and gives the formed ones 
   CHECK(set["figures"]["certainty"] == "clear");
 }
 
-TEST_CASE("what is no result of this program is refused, and the place is named") {
+TEST_CASE("a JSON that is no results file is refused with the place of the error") {
   CHECK_THROWS_WITH(bench::parse_results(""), "not JSON, or cut off");
   CHECK_THROWS_WITH(bench::parse_results("{\"schema\": \"whittle-bench\""), "not JSON, or cut off");
   CHECK_THROWS_WITH(bench::parse_results("[]"), "the file is not an object");

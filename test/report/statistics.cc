@@ -41,7 +41,7 @@ TEST_CASE("improvement is the rise in frames per second") {
   CHECK(bench::improvement_percent(7, 7) == 0);
 }
 
-TEST_CASE("the fall in frame time is another figure") {
+TEST_CASE("the fall in frame time is not the improvement") {
   CHECK(bench::frame_time_fall_percent(30, 20) == Approx(100.0 / 3));
   CHECK(bench::frame_time_fall_percent(10, 20) == Approx(-100));
 }
@@ -65,7 +65,7 @@ TEST_CASE("a machine that slows down does not change the improvement") {
   CHECK(f->certainty == bench::Certainty::clear);
 }
 
-TEST_CASE("without OpenGL timers there is no figure of them") {
+TEST_CASE("a set's figures have no OpenGL time without OpenGL timers") {
   auto e = timed({1}, 1, {1});
   e.sets[1].visits[0].gl_ms.reset();
   CHECK_FALSE(bench::figures(e.sets[1], e)->gl_total_ms);

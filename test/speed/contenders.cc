@@ -25,13 +25,13 @@ speed::Arrays run(const speed::Entry& entry) {
 const speed::Entry& find(const std::vector<speed::Entry>& entries, const std::string& name) {
   for (const auto& entry : entries)
     if (entry.name() == name) return entry;
-  FAIL("nobody is called " << name);
+  FAIL("no contender is called " << name);
   return entries.front();
 }
 
 }  // namespace
 
-TEST_CASE("names are unique, and --only filters by them") {
+TEST_CASE("contenders have unique names, and --only filters by them") {
   const auto all = speed::lineup(speed::Suite::figures, torus(), std::nullopt);
   std::set<std::string> names;
   for (const auto& entry : all) CHECK(names.insert(entry.name()).second);
@@ -51,7 +51,7 @@ TEST_CASE("all executors of a planned module give the same mesh") {
   }
 }
 
-TEST_CASE("whoever has a target comes near to it") {
+TEST_CASE("every contender with a target comes near it") {
   for (const auto& entry : speed::lineup(speed::Suite::figures, torus(), std::regex("50 %|as "))) {
     INFO(entry.name());
     const auto faces = static_cast<double>(run(entry).triangles.size());

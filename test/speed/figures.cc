@@ -119,7 +119,7 @@ TEST_CASE("growth is time per triangle against the first model") {
   CHECK_FALSE(figure.reached());
 }
 
-TEST_CASE("without times there are no figures") {
+TEST_CASE("figures need times") {
   CHECK(speed::figures(run(true, "figures", {model("cow", 9, {result("sweep vt", 1)})})).empty());
   Json untimed = result("DecimaterT vt", 1);
   untimed["seconds"] = nullptr;

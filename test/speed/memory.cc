@@ -25,7 +25,7 @@ struct alignas(64) Line {
 
 }  // namespace
 
-TEST_CASE("a known block counts exactly, the peak outlives it") {
+TEST_CASE("the memory count is exact for a known block, and its peak outlives it") {
   std::int64_t size = 0, live = 0, after = 0, peak = 0;
   {
     const MemoryCount count;
@@ -43,7 +43,7 @@ TEST_CASE("a known block counts exactly, the peak outlives it") {
   CHECK(peak == size);
 }
 
-TEST_CASE("the peak is of what lives at once, and can be restarted") {
+TEST_CASE("the memory count's peak is of blocks alive at once, and can be restarted") {
   std::int64_t first = 0, both = 0, one_after_the_other = 0, restarted = 0;
   {
     MemoryCount count;
@@ -64,7 +64,7 @@ TEST_CASE("the peak is of what lives at once, and can be restarted") {
   CHECK(restarted == first);
 }
 
-TEST_CASE("every form of new is counted, and given back") {
+TEST_CASE("the memory count sees every form of new and delete") {
   std::int64_t least = 0, left = 0, blocks = 0;
   {
     const MemoryCount count;
@@ -88,7 +88,7 @@ TEST_CASE("every form of new is counted, and given back") {
   CHECK(left == 0);
 }
 
-TEST_CASE("aligned blocks and other threads count, what is not counted does not") {
+TEST_CASE("the memory count sees aligned blocks and other threads, and nothing outside its lifetime") {
   const auto before = std::make_unique<char[]>(5000000);
   std::int64_t line = 0, live = 0, threads = 0;
   {

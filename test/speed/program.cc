@@ -21,7 +21,7 @@ std::string torus_in(const programs::Folder& folder) {
 
 }  // namespace
 
-TEST_CASE("one round on a small mesh leaves a record with everybody in it, and a page") {
+TEST_CASE("one round of whittle-speed on a small mesh writes a record of all contenders, and a page") {
   const programs::Folder folder;
   const std::string out = folder / "r";
   const auto done = programs::run(WHITTLE_SPEED_PROGRAM, {torus_in(folder), "--rounds", "1", "--samples",
@@ -58,7 +58,7 @@ TEST_CASE("one round on a small mesh leaves a record with everybody in it, and a
   CHECK_THAT(programs::contents(out + "/speed.md"), Contains("## Goals"));
 }
 
-TEST_CASE("growth subdivides the last model") {
+TEST_CASE("the growth suite subdivides the last model") {
   const programs::Folder folder;
   const auto done = programs::run(WHITTLE_SPEED_PROGRAM, {torus_in(folder), "--suite", "growth", "--rounds",
                                                           "1", "--subdivisions", "1", "--out", folder / "r"});
@@ -88,7 +88,7 @@ TEST_CASE("results of several runs become one page") {
   CHECK(page.find("| compact() |", first + 1) != std::string::npos);
 }
 
-TEST_CASE("bad usage and bad input end with 2 and one line, and nothing is written") {
+TEST_CASE("bad usage and bad input end whittle-speed with 2 and one line, and nothing is written") {
   const programs::Folder folder;
   const std::string torus = torus_in(folder), points = folder / "points.obj", poem = folder / "poem.json",
                     half = folder / "half.json", huge = folder / "huge.obj";
@@ -121,7 +121,7 @@ TEST_CASE("bad usage and bad input end with 2 and one line, and nothing is writt
   }
 }
 
-TEST_CASE("help and version are answered") {
+TEST_CASE("whittle-speed answers --help and --version") {
   CHECK_THAT(programs::run(WHITTLE_SPEED_PROGRAM, {"--help"}).out, Contains("--rounds"));
   CHECK_THAT(programs::run(WHITTLE_SPEED_PROGRAM, {"--version"}).out, Contains("whittle-speed "));
 }

@@ -38,7 +38,7 @@ TEST_CASE("the page holds the machine, the goals and every contender") {
   }
 }
 
-TEST_CASE("the core that runs is found out") {
+TEST_CASE("the report names OpenMesh's core that runs") {
   const auto core = speed::openmesh_core();
   CHECK_THAT(core.file, Contains("libOpenMeshCore"));
   CHECK(core.label == (core.assertions ? "with assertions" : "without assertions"));

@@ -27,14 +27,14 @@ TEST_CASE("a subdivided torus has four times the faces and is as manifold") {
   CHECK(fine.area == Approx(coarse.area).epsilon(0.01));
 }
 
-TEST_CASE("a boundary stays a boundary") {
+TEST_CASE("subdivision keeps boundaries") {
   const auto fine = measure::facts(subdivided(meshes::flat_grid(4)));
   CHECK(fine.boundary_edges == 2 * 12);
   CHECK(fine.boundary_loops == 1);
   CHECK(fine.nonmanifold_edges == 0);
 }
 
-TEST_CASE("old points stay, new ones leave the edge by up to a hundredth of it, never by nothing") {
+TEST_CASE("subdivision keeps old points and moves new ones off the edge by up to a hundredth of it, never by 0") {
   const IndexedMesh fine = subdivided(meshes::flat_grid(2));
   REQUIRE(fine.points.size() == 4 + 5);
   CHECK(fine.points[3] == IndexedMesh::Point(1, 1, 0));
@@ -44,7 +44,7 @@ TEST_CASE("old points stay, new ones leave the edge by up to a hundredth of it, 
   }
 }
 
-TEST_CASE("subdivision is the same every time, and the checksum tells meshes apart") {
+TEST_CASE("subdivision is deterministic, and the checksum tells meshes apart") {
   const auto torus = peers::in_float(meshes::torus(12, 8));
   CHECK(speed::checksum(speed::subdivide(torus)) == speed::checksum(speed::subdivide(torus)));
   auto other = torus;

@@ -20,7 +20,7 @@
 namespace viewing {
 
 /// Moves the pointer and presses its buttons (XTEST), drops files (XDND), and sets the resources that a
-/// desktop would set. While it lives, the X server keeps these.
+/// desktop would set. The X server keeps these for its lifetime.
 class Hand {
  public:
   Hand() : connection_(xcb_connect(nullptr, nullptr)) {
@@ -49,7 +49,7 @@ class Hand {
     fake(XCB_BUTTON_PRESS, 1, x0, y0);
     for (int i = 1; i <= kSteps; ++i)
       fake(XCB_MOTION_NOTIFY, 0, x0 + (x1 - x0) * i / kSteps, y0 + (y1 - y0) * i / kSteps);
-    std::this_thread::sleep_for(std::chrono::milliseconds(400));  // nobody lets go while the hand still moves
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));  // released after the motion has ended
     fake(XCB_BUTTON_RELEASE, 1, x1, y1);
   }
 
@@ -144,7 +144,7 @@ class Hand {
     xcb_flush(connection_);
   }
 
-  /// Hands out the files to whoever asks, until a message comes; false after ten seconds without.
+  /// Serves the files to any requestor, until a message comes; false after ten seconds without.
   bool wait_for(const std::string& what) {
     const xcb_atom_t wanted = atom(what);
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);

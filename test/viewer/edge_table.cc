@@ -23,7 +23,7 @@ TEST_CASE("a lone triangle has three boundary edges") {
   CHECK(count(edges, EdgeSet::locked) == 0);
 }
 
-TEST_CASE("the angles of an octahedron") {
+TEST_CASE("the edge table of an octahedron holds its dihedral angles") {
   const auto edges = edge_table(meshes::octahedron());
   CHECK(edges.size() == 12);
   for (const Edge& edge : edges) {

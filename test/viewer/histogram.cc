@@ -14,7 +14,7 @@ TEST_CASE("every value falls in one bin or beyond the ends") {
   CHECK(h.bin_width() == 0.25);
 }
 
-TEST_CASE("quantiles") {
+TEST_CASE("quantiles are the values below which a part of the values lies") {
   CHECK(quantile({}, 0.5) == 0);
   CHECK(quantile({3, 1, 2}, 0) == 1);
   CHECK(quantile({3, 1, 2}, 0.5) == 2);
@@ -45,7 +45,7 @@ TEST_CASE("a pair of histograms has one axis, which both meshes fit on") {
   CHECK(histograms(Quantity::edge_length, {0, 0}, nullptr).original.high == 1);
 }
 
-TEST_CASE("the values of a mesh: one length an edge, one angle an inner edge, one quality a face") {
+TEST_CASE("a mesh's histograms hold a length an edge, an angle an inner edge and a quality a face") {
   const IndexedMesh mesh = meshes::tetrahedron();
   const auto edges = edge_table(mesh);
   CHECK(values_of(Quantity::edge_length, mesh, edges).size() == 6);

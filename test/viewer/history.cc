@@ -4,7 +4,7 @@
 
 using whittle::viewer::History;
 
-TEST_CASE("undo goes back and redo forth") {
+TEST_CASE("a history's undo goes back and its redo forth") {
   History<int> history(1);
   CHECK_FALSE(history.can_undo());
   history.change(2);
@@ -22,7 +22,7 @@ TEST_CASE("undo goes back and redo forth") {
   CHECK(history.now() == 2);
 }
 
-TEST_CASE("the changes of one drag are one step") {
+TEST_CASE("a history holds the changes of one drag as one step") {
   History<int> history(0);
   for (int i = 1; i < 10; ++i) history.change(i, "slider");
   history.undo();

@@ -60,7 +60,7 @@ TEST_CASE("distances and heat agree") {
   }
 }
 
-TEST_CASE("nothing done: no distance anywhere") {
+TEST_CASE("a result of an empty plan has no distance to its model") {
   const programs::Folder folder;
   const auto model = torus_model(folder);
   Comparer comparer;

@@ -8,7 +8,7 @@ using namespace whittle::viewer;
 
 namespace {
 
-/// Strokes that note what is drawn, and a clock that says how long it took.
+/// Strokes that note what is drawn, and a clock that reports how long it took.
 struct Easel {
   double now = 0, milliseconds_each = 0.001;
   std::vector<std::vector<int>> drawn;  ///< for each stroke how often each of its parts was drawn
@@ -52,7 +52,7 @@ TEST_CASE("a picture in pieces is the whole picture, each part once") {
   }
 }
 
-TEST_CASE("a turn takes as long as it may, however slow drawing is") {
+TEST_CASE("one turn of painting takes its time limit, however slow drawing is") {
   for (const double each : {1e-6, 1e-3, 0.02}) {
     Easel easel;
     easel.milliseconds_each = each;
@@ -68,7 +68,7 @@ TEST_CASE("a turn takes as long as it may, however slow drawing is") {
   }
 }
 
-TEST_CASE("what is drawn quickly is drawn in few pieces") {
+TEST_CASE("a picture that draws quickly is drawn in few pieces") {
   Easel easel;
   easel.milliseconds_each = 1e-6;
   Painting painting = easel.painting({1000000});

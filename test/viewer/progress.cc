@@ -18,7 +18,7 @@ std::optional<double> part(const std::string& recipe, std::size_t faces) {
 
 }  // namespace
 
-TEST_CASE("with a target the part that is done is known") {
+TEST_CASE("the progress of a run with a target is known") {
   CHECK(*part("quadric --faces 200", 1000) == 0);
   CHECK(*part("quadric --faces 200", 600) == Approx(0.5));
   CHECK(*part("quadric --ratio 0.5", 500) == 1);
@@ -27,7 +27,7 @@ TEST_CASE("with a target the part that is done is known") {
   CHECK(*part("ivdd:distance=0.5 --ratio 0.5 --module normal-flipping:angle=60", 750) == Approx(0.5));
 }
 
-TEST_CASE("without one, or where a threshold is searched for, nobody knows") {
+TEST_CASE("the progress of a run without a target, or with a search for a threshold, is unknown") {
   for (const char* recipe :
        {"quadric:max-err=0.1", "ivdd:distance=0.5", "ivdd --ratio 0.5", "mq --ratio 0.5",
         "fad:angle=30 --module ivdd:distance=1 --ratio 0.5", "quadric --faces 2000", ""}) {

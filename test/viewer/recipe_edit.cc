@@ -27,7 +27,7 @@ TEST_CASE("every module of the catalogue can be added and run") {
   }
 }
 
-TEST_CASE("modules are added, replaced, moved and removed") {
+TEST_CASE("a recipe edit adds, replaces, moves and removes modules") {
   auto recipe = parse_options("vt fad:angle=30");
   recipe = with_added(recipe, "ss:radius=1e");
   CHECK(text(recipe) == "--module vt --module fad:angle=30 --module ss:radius=1e");
@@ -42,7 +42,7 @@ TEST_CASE("modules are added, replaced, moved and removed") {
   CHECK_THROWS_AS(with_added(recipe, "none"), recipe::RecipeError);
 }
 
-TEST_CASE("a value is set, changed and taken away") {
+TEST_CASE("a recipe edit sets, changes and removes a value") {
   auto recipe = parse_options("fad:angle=30");
   recipe = with_value(recipe, 0, "pairs", "all");
   recipe = with_value(recipe, 0, "angle", "45");

@@ -30,7 +30,7 @@ TEST_CASE("the command names both files, quoted for a shell") {
         "whittle simplify 'my model.obj' out.ply --module ivdd:distance=0.5%");
 }
 
-TEST_CASE("what is not a recipe is refused with a reason") {
+TEST_CASE("text that is no recipe is refused with a reason") {
   CHECK_THROWS_WITH(parse_options("--modul vt"), Contains("unknown option '--modul'"));
   CHECK_THROWS_WITH(parse_options("--module"), Contains("needs a value"));
   CHECK_THROWS_WITH(parse_options("nonsense"), Contains("unknown module 'nonsense'"));

@@ -23,14 +23,14 @@ TEST_CASE("a script that makes no sense is refused with its place") {
   CHECK_THROWS_WITH(parse_script("open 'x\n", "s"), Contains("s:1: a quote"));
 }
 
-TEST_CASE("arguments are checked when they are used") {
+TEST_CASE("a script's arguments are checked when they are used") {
   const auto command = parse_script("resize x 0\n", "s")[0];
   CHECK_THROWS_WITH(command.number(0), Contains("'x' is not a number"));
   CHECK_THROWS_WITH(command.count(1), Contains("at least 1"));
   CHECK_THROWS_WITH(command.on(0), Contains("neither on nor off"));
 }
 
-TEST_CASE("the help names every command") {
+TEST_CASE("the script's help names every command") {
   for (const char* name : {"open", "slide", "screenshot", "expect-error", "close"})
     CHECK_THAT(script_help(), Contains(name));
 }

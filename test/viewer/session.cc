@@ -106,7 +106,7 @@ TEST_CASE("a recipe that cannot run says why and leaves the result") {
   CHECK_THAT(opened.session.problem(), Contains("no module"));
 }
 
-TEST_CASE("not live: the plan comes first, the run when asked") {
+TEST_CASE("a session that is not live shows the plan first and runs on request") {
   Opened opened;
   opened.session.set_live(false);
   opened.session.set_plan_wanted(true);
@@ -145,7 +145,7 @@ TEST_CASE("a session may end in the middle of its work") {
   session.change(parse_options("quadric --ratio 0.1 --driver decimater"));
 }
 
-TEST_CASE("what is exported is what was measured") {
+TEST_CASE("the exported mesh is the measured one") {
   Opened opened;
   for (const std::string& extension : files::writable_extensions()) {
     const std::string path = opened.folder / ("a" + extension);
@@ -156,7 +156,7 @@ TEST_CASE("what is exported is what was measured") {
   CHECK_THROWS_AS(opened.session.export_result(opened.folder / "a.xyz", false), files::FileError);
 }
 
-TEST_CASE("attributes live through a recipe as on the command line, and what a format cannot take is said") {
+TEST_CASE("attributes come through a session's recipe as on the command line, and those left out are reported") {
   const programs::Folder folder;
   const IndexedMesh torus = meshes::torus(40, 24);
   attributes::Attribute colours;

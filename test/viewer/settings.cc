@@ -9,7 +9,7 @@
 using namespace whittle;
 using namespace whittle::viewer;
 
-TEST_CASE("settings are kept") {
+TEST_CASE("settings are saved and loaded") {
   const programs::Folder folder;
   Settings settings;
   settings.remember("/a.obj");
@@ -68,7 +68,7 @@ TEST_CASE("settings that are damaged, strange or missing do no harm") {
   }
 }
 
-TEST_CASE("settings live where XDG says") {
+TEST_CASE("settings are stored where XDG_CONFIG_HOME points") {
   setenv("XDG_CONFIG_HOME", "/x", 1);
   CHECK(settings_path() == "/x/whittle/viewer.json");
   unsetenv("XDG_CONFIG_HOME");

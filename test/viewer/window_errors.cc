@@ -1,5 +1,5 @@
 /// \file
-/// What goes wrong is said, and nothing crashes.
+/// Errors are reported, and nothing crashes.
 #include "Display.hh"
 #include "meshes.hh"
 
@@ -18,7 +18,7 @@ void check_refusal(const programs::Outcome& outcome, const std::string& reason) 
 
 }  // namespace
 
-TEST_CASE("a broken file, one without faces and a missing one are messages, and the model stays") {
+TEST_CASE("the viewer reports a broken file, one without faces and a missing one, and keeps its model") {
   const viewing::Display display;
   const auto at = [&](const char* name) { return "'" + display.folder / name + "'"; };
   files::write_mesh(display.folder / "torus.ply", meshes::torus(20, 12));
@@ -35,7 +35,7 @@ TEST_CASE("a broken file, one without faces and a missing one are messages, and 
   CHECK(viewing::read_json(display.folder / "n.json")["original"]["mesh"]["faces"] == 480);
 }
 
-TEST_CASE("without a display it points to the benchmark") {
+TEST_CASE("the viewer without a display names the benchmark") {
   ::unsetenv("DISPLAY");
   ::unsetenv("WAYLAND_DISPLAY");
   check_refusal(programs::run(WHITTLE_VIEWER_PROGRAM, {}), "whittle-bench");
@@ -43,7 +43,7 @@ TEST_CASE("without a display it points to the benchmark") {
   check_refusal(programs::run(WHITTLE_VIEWER_PROGRAM, {}), "whittle-bench");
 }
 
-TEST_CASE("an OpenGL that is too old is said") {
+TEST_CASE("the viewer reports an OpenGL that is too old") {
   const viewing::Display display;
   ::setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
   const auto outcome = programs::run(WHITTLE_VIEWER_PROGRAM, {});
@@ -51,7 +51,7 @@ TEST_CASE("an OpenGL that is too old is said") {
   check_refusal(outcome, "OpenGL");
 }
 
-TEST_CASE("bad usage and bad input end with 2 and one line") {
+TEST_CASE("bad usage and bad input end the viewer with 2 and one line") {
   const viewing::Display display;
   const std::string shot = display.folder / "a.png", none = display.folder / "none.obj";
   files::write_mesh(display.folder / "torus.ply", meshes::torus(20, 12));

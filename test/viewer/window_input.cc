@@ -1,5 +1,5 @@
 /// \file
-/// What a user does with mouse and files, as the X server tells it.
+/// Mouse and drag-and-drop input, as the X server sends it.
 #include "Hand.hh"
 #include "Running.hh"
 #include "meshes.hh"
@@ -11,7 +11,8 @@ using viewing::read_json;
 
 namespace {
 
-/// Presses the mouse on a slider or histogram and drags it. \param places  as the viewer has written them.
+/// Presses the mouse on a slider or histogram and drags it.
+/// \param places  as the viewer has written them.
 void pull(viewing::Hand& hand, const nlohmann::json& places, const std::string& name, double from,
           double to) {
   REQUIRE(places.contains(name));
@@ -68,7 +69,7 @@ TEST_CASE("a click on the histogram of edge lengths picks the threshold, one on 
   CHECK(read_json(display.folder / "undone.json")["recipe"] == "--module fass:radius=0.8e");
 }
 
-TEST_CASE("slider, histogram and drag and drop by the X server's own events") {
+TEST_CASE("the viewer takes slider, histogram and drag and drop from the X server's own events") {
   const viewing::Display display;
   viewing::Hand hand;
   const std::string model = display.folder / "torus.ply", other = display.folder / "small.off";
@@ -141,7 +142,7 @@ TEST_CASE("on a screen that is twice as fine everything is twice as large, and t
   CHECK(value_in(viewer.wait_for(display.folder / "numbers.json"), "distance") == Approx(2).epsilon(0.05));
   CHECK(viewer.finish() == 0);
 
-  // The window comes back as large as it was, not twice as large each time.
+  // The window opens at the size it had, not twice as large each time.
   files::write_file(settings, R"({"window_width": 700, "window_height": 500})");
   const std::string script = display.folder / "close.txt";
   files::write_file(script, "wait\nclose\n");

@@ -1,5 +1,5 @@
 /// \file
-/// What the viewer says is what the command line says.
+/// The viewer's figures equal the command line's.
 #include "Display.hh"
 #include "meshes.hh"
 
@@ -52,7 +52,7 @@ void choose_fass_and_move_a_slider(const std::string& model) {
 
 }  // namespace
 
-TEST_CASE("the bunny, FASS and a slider: the numbers are the command line's") {
+TEST_CASE("the viewer's numbers of the bunny, FASS and a slider are the command line's") {
   const std::string bunny = WHITTLE_ASSETS "/cache/bunny.obj";
   if (!std::filesystem::exists(bunny)) {
     WARN("skipped: " + bunny + " is missing, see assets/README.md");
@@ -61,13 +61,13 @@ TEST_CASE("the bunny, FASS and a slider: the numbers are the command line's") {
   choose_fass_and_move_a_slider(bunny);
 }
 
-TEST_CASE("a torus, FASS and a slider: the numbers are the command line's") {
+TEST_CASE("the viewer's numbers of a torus, FASS and a slider are the command line's") {
   const programs::Folder folder;
   files::write_mesh(folder / "torus.ply", meshes::torus(60, 40));
   choose_fass_and_move_a_slider(folder / "torus.ply");
 }
 
-TEST_CASE("a chain with a target and a constraint: the numbers are the command line's") {
+TEST_CASE("the viewer's numbers of a chain with a target and a constraint are the command line's") {
   const viewing::Display display;
   const std::string model = display.folder / "torus.obj";
   files::write_mesh(model, meshes::torus(60, 40));

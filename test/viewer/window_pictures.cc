@@ -106,7 +106,7 @@ TEST_CASE("the split line follows the mouse, and so does the model") {
   CHECK(difference(dragged, studio.picture("framed"), 0, kWidth) == 0);
 }
 
-TEST_CASE("the wheel zooms") {
+TEST_CASE("the mouse wheel zooms the view") {
   Studio studio;
   studio.shoot("layout result\npicture before\nscroll 0.5 0.5 6\npicture near");
   const auto backdrop = [](const Image& image) {

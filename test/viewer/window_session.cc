@@ -6,7 +6,7 @@
 using namespace whittle;
 using Catch::Matchers::Contains;
 
-TEST_CASE("open, change, undo, export, drop another file") {
+TEST_CASE("a session in the window opens, changes, undoes, exports and takes a dropped file") {
   const viewing::Display display;
   const auto at = [&](const char* name) { return "'" + display.folder / name + "'"; };
   files::write_mesh(display.folder / "torus.ply", meshes::torus(40, 24));
@@ -30,7 +30,7 @@ TEST_CASE("open, change, undo, export, drop another file") {
   CHECK(b["plan"]["faces_gone"] > 0);
 }
 
-TEST_CASE("settings, recent files and the recipe come back") {
+TEST_CASE("the viewer restores settings, recent files and the recipe") {
   const viewing::Display display;
   const std::string settings = display.folder / "viewer.json";
   files::write_mesh(display.folder / "torus.ply", meshes::torus(20, 12));

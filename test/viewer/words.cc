@@ -6,7 +6,7 @@
 using namespace whittle::viewer;
 using Words = std::vector<std::string>;
 
-TEST_CASE("lines are split as a shell splits them") {
+TEST_CASE("command lines are split as a shell splits them") {
   CHECK(split_words("").empty());
   CHECK(split_words("  a  b\tc\n") == Words{"a", "b", "c"});
   CHECK(split_words("a 'b c' \"d 'e'\" f\\ g") == Words{"a", "b c", "d 'e'", "f g"});
@@ -17,14 +17,14 @@ TEST_CASE("lines are split as a shell splits them") {
   CHECK_THROWS_AS(split_words("a 'b"), WordsError);
 }
 
-TEST_CASE("a quoted word comes back as it was") {
+TEST_CASE("a quoted word is split into the word that it was") {
   for (const std::string word :
        {"plain", "with blank", "it's", "", "fad:angle=30,pairs=all", "a#b", "$HOME", "0.5%"})
     CHECK(split_words(quote(word)) == Words{word});
   CHECK(quote("fad:angle=30") == "fad:angle=30");
 }
 
-TEST_CASE("numbers as text") {
+TEST_CASE("numbers become the shortest text that reads back") {
   CHECK(to_text(0.8) == "0.8");
   CHECK(rounded(1234.567, 3) == 1230);
   CHECK(rounded(0.00123456, 4) == 0.001235);

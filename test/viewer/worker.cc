@@ -12,7 +12,7 @@ void wait_for(const Worker& worker) {
 
 }  // namespace
 
-TEST_CASE("a task runs on another thread") {
+TEST_CASE("a worker runs its task on another thread") {
   Worker worker;
   Mailbox<std::thread::id> answer;
   worker.submit([&](const Wanted&) { answer.put(std::this_thread::get_id()); });
@@ -39,7 +39,7 @@ TEST_CASE("a newer task cancels the one that runs and replaces the one that wait
   CHECK(third);
 }
 
-TEST_CASE("the end cancels what runs and forgets what waits") {
+TEST_CASE("a worker's destructor cancels the running task and drops the waiting one") {
   std::atomic<int> runs{0};
   {
     Worker worker;

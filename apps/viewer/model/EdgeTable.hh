@@ -49,7 +49,8 @@ class EdgeSets {
   /// angle is another count, and nothing has to be chosen or moved.
   const std::vector<Ends>& of(EdgeSet set) const { return ends_[static_cast<std::size_t>(set)]; }
 
-  /// How many of them belong to the set, from the first on. \param feature_angle  degrees
+  /// How many of them belong to the set, from the first on.
+  /// \param feature_angle  degrees
   std::size_t count(EdgeSet set, double feature_angle) const;
 
  private:

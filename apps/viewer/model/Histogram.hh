@@ -21,7 +21,8 @@ struct Histogram {
 /// \pre low < high, n_bins > 0
 Histogram histogram(const std::vector<float>& values, double low, double high, std::size_t n_bins);
 
-/// The value below which this part of the values lies; 0 of none. \param part  in [0, 1]
+/// The value below which this part of the values lies; 0 of none.
+/// \param part  in [0, 1]
 double quantile(std::vector<float> values, double part);
 
 /// The values of a quantity: edge lengths in model units, angles between the normals of neighbouring faces in

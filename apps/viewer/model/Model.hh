@@ -1,5 +1,5 @@
 /// \file
-/// What the session knows: the mesh that was opened, what a recipe made of it, and how far the two lie apart.
+/// What a session holds: the mesh that was opened, what a recipe made of it, and how far the two lie apart.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,7 +22,7 @@
 
 namespace whittle::viewer {
 
-/// What can be said of one mesh by itself.
+/// Facts of one mesh.
 struct Inspection {
   measure::MeshFacts facts;
   EdgeSets edges;
@@ -32,7 +32,8 @@ struct Inspection {
 };
 Inspection inspect(const IndexedMesh& mesh);
 
-/// The histograms of each quantity. \param result  null if there is none.
+/// The histograms of each quantity.
+/// \param result  null if there is none.
 std::array<HistogramPair, 3> histograms(const Inspection& original, const Inspection* result);
 
 /// A mesh file that is open.
@@ -53,7 +54,7 @@ struct Model {
 /// \throw FileError  as read_mesh(), and for a mesh without faces.
 std::shared_ptr<const Model> load_model(const std::string& path);
 
-/// The plan for all levels of a model, made when the first level is asked for. For one thread.
+/// The plan for all levels of a model, made when the first level is requested. For one thread.
 using Levels = std::optional<recipe::Progression>;
 
 /// What a recipe made of a model.
@@ -70,11 +71,12 @@ struct Outcome {
 };
 
 /// Runs a recipe. The result is rounded as the exported file will be, so that what is measured is what is
-/// written. \throw  as recipe::run().
+/// written. Throws what recipe::run() throws.
 std::shared_ptr<const Outcome> make_outcome(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
                                             const recipe::Monitor& monitor = {});
 
-/// The same out of the plan for all levels. \pre has_levels(recipe)
+/// The same out of the plan for all levels.
+/// \pre has_levels(recipe)
 std::shared_ptr<const Outcome> make_level(std::shared_ptr<const Model> model, const recipe::Recipe& recipe,
                                           Levels& levels, const recipe::Monitor& monitor = {});
 

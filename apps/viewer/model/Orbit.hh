@@ -22,7 +22,8 @@ class Orbit {
   void turn(double yaw_degrees, double pitch_degrees);
   /// Moves the model with the cursor.
   void pan(double dx, double dy, double aspect);
-  /// What lies under the cursor stays there. \param factor  of the distance; below 1 goes nearer.
+  /// What lies under the cursor stays there.
+  /// \param factor  of the distance; below 1 goes nearer.
   void zoom(double factor, double x, double y, double aspect);
 
   /// \param scene  nothing of it is cut away.

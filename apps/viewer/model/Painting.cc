@@ -34,7 +34,7 @@ void Painting::advance(double milliseconds, const Clock& clock) {
     now = clock();
     last += now;
     spent_ += last;
-    // A rest that is smaller than a piece says little about how long a piece takes.
+    // A rest smaller than a piece is no measure of how long a piece takes.
     if (count == piece_) piece_ = next_piece(count, last, milliseconds / kPieces);
     first_ += count;
     skip_empty();

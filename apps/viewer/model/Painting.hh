@@ -1,5 +1,5 @@
 /// \file
-/// A picture that is drawn piece by piece, so that nobody has to wait for the whole of it.
+/// A picture drawn piece by piece, so that the window stays responsive.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Stroke {
 /// a graphics card draws everything in a few pieces, a software renderer some thousand triangles at a time.
 class Painting {
  public:
-  /// Waits until all that was drawn is drawn, and tells the time in milliseconds.
+  /// Waits until all draw calls have finished, and returns the time in milliseconds.
   using Clock = std::function<double()>;
 
   explicit Painting(std::vector<Stroke> strokes = {}) : strokes_(std::move(strokes)) { skip_empty(); }

@@ -13,7 +13,7 @@ namespace {
 using recipe::Recipe;
 using recipe::RecipeError;
 
-/// Options with a value that say what the command prints, and not what it does.
+/// Options with a value that control the command's output, not its work.
 bool is_about_output(const std::string& option) {
   return option == "--json";
 }

@@ -21,7 +21,8 @@ struct Command {
   std::vector<std::string> arguments;
   std::string place;  ///< `tour.txt:3`
 
-  /// Arguments as numbers and switches. \throw ScriptError
+  /// Arguments as numbers and switches.
+  /// \throw ScriptError  the argument is missing or of another kind.
   /// \{
   double number(std::size_t argument) const;
   std::size_t count(std::size_t argument) const;

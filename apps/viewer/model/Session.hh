@@ -57,7 +57,8 @@ class Session {
   void set_levels(bool levels);
   bool levels() const { return levels_ && has_levels(recipe()); }
 
-  /// The command that makes what is shown. \param out  where it writes
+  /// The command that makes what is shown.
+  /// \param out  where it writes
   std::string command(const std::string& out) const;
 
   /// Whether the plan of the recipe's first module is kept at hand.
@@ -97,13 +98,15 @@ class Session {
   /// measuring, the first of these; none where it is not known.
   std::optional<double> part_done() const;
 
-  /// Writes the result, at once or by a worker: what went wrong there goes to errors. \throw FileError
+  /// Writes the result, at once or by a worker: what went wrong there goes to errors.
+  /// \throw FileError
   /// \{
   void export_result(const std::string& path, bool ascii) const;
   void begin_export(const std::string& path, bool ascii);
   /// \}
 
-  /// Lets the same worker write another file. \throw FileError  it is still writing one.
+  /// Lets the same worker write another file.
+  /// \throw FileError  it is still writing one.
   /// \param write  returns what the file could not take.
   void begin_write(const std::string& path, std::function<std::vector<std::string>()> write);
 
@@ -118,7 +121,7 @@ class Session {
     std::shared_ptr<const Outcome> outcome;
     std::string error;
   };
-  /// A stand-in, and whose: what comes too late is no longer anybody's.
+  /// A stand-in with its mesh: one that arrives after its mesh was replaced is dropped.
   struct Coarse {
     const void* owner = nullptr;
     std::shared_ptr<const StandIn> stand_in;

@@ -92,7 +92,7 @@ Settings load_settings(const std::filesystem::path& path) {
 }
 
 void save_settings(const std::filesystem::path& path, const Settings& settings) {
-  std::error_code ignored;  // write_file() says it better
+  std::error_code ignored;  // write_file() has the better message
   std::filesystem::create_directories(path.parent_path(), ignored);
   const Json json{{"recent_files", settings.recent},
                   {"window_width", settings.width},

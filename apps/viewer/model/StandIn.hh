@@ -12,7 +12,7 @@
 
 namespace whittle::viewer {
 
-/// A coarse likeness of a mesh, by mq: the truest that we have for so few triangles.
+/// A coarse approximation of a mesh, by mq: the most accurate of the modules at so few triangles.
 struct StandIn {
   std::vector<IndexedMesh::Triangle> triangles;
   std::vector<std::uint32_t> vertex_map;  ///< vertex of the mesh to vertex of the likeness

@@ -9,8 +9,7 @@
 namespace whittle::viewer {
 namespace {
 
-/// Whether what a module tells on its way leads straight to the target. mq tells nothing until it has
-/// planned.
+/// Whether a module's progress runs linearly to the target. mq reports nothing until it has planned.
 bool goes_straight(const recipe::Spec& module) {
   if (recipe::find_module(module.name).role != recipe::Role::planned) return true;
   return module.name != "mq" && (recipe::threshold_key(module).empty() || recipe::has_threshold(module));

@@ -9,7 +9,7 @@
 
 namespace whittle::viewer {
 
-/// The part of a run that is done, from 0 to 1; none where nobody can know: without a target a module goes as
+/// The part of a run that is done, from 0 to 1; none where it is unknown: without a target a module goes as
 /// far as its threshold takes it, mq plans in one go, a chain's modules share the way in no fixed parts, and
 /// while a threshold is searched for, the mesh is decimated again and again.
 /// \param before  triangles of the input.

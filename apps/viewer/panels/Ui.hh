@@ -16,7 +16,7 @@ namespace whittle::viewer {
 
 enum class Dialog { none, open, export_result, picture, load_recipe, save_recipe, help };
 
-/// A picture of the views that somebody asked for.
+/// A requested picture of the views.
 struct PictureRequest {
   std::string path;
   int width = 0, height = 0;
@@ -70,7 +70,9 @@ void draw_dialogs(Ui& ui);
 
 /// Turns, pans and zooms by mouse over the views; drags the split line.
 void handle_mouse(Ui& ui);
-/// Does what a key does. \param key  `F`, `?`, `Escape`, `Ctrl+Z`, … \return false: no such key.
+/// Does what a key does.
+/// \param key  `F`, `?`, `Escape`, `Ctrl+Z`, …
+/// \return false: no such key.
 bool press_key(Ui& ui, const std::string& key);
 
 }  // namespace whittle::viewer

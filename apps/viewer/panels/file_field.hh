@@ -10,7 +10,8 @@
 namespace whittle::viewer {
 
 /// Edits `ui.path`. Below stand the folders and the files with one of the extensions in the folder of the
-/// path, which begin with what is typed. \return whether Enter was pressed, or a file double-clicked.
+/// path, which begin with what is typed.
+/// \return whether Enter was pressed, or a file double-clicked.
 bool file_field(Ui& ui, const std::vector<std::string>& extensions);
 
 /// The entries that complete a path: folders with a slash at their end, then files; sorted.

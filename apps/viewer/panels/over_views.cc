@@ -134,7 +134,7 @@ std::string under_way(const Ui& ui) {
   return ui.session.measuring() ? "measuring …" : "";
 }
 
-/// How far it has come. Where nobody knows, a part of the bar wanders from side to side.
+/// The progress bar. Where the progress is unknown, a part of the bar moves from side to side.
 void progress_bar(Ui& ui, ImVec2 right_top) {
   const float width = 13 * ImGui::GetFontSize(), height = 5 * ui.scale;
   const ImVec2 corner(right_top.x - width, right_top.y);

@@ -18,7 +18,7 @@ void heading(const char* text);
 
 void quiet_text(const std::string& text);
 
-/// What the mouse over the last item tells.
+/// A tooltip of the last item.
 void tip(const std::string& text);
 
 /// A button that stays pressed. True if it was pressed now.

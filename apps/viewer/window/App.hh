@@ -18,7 +18,7 @@
 
 namespace whittle::viewer {
 
-/// Waits until all is drawn, and tells the time in milliseconds.
+/// Waits until all draw calls have finished, and returns the time in milliseconds.
 double when_drawn();
 
 class App {
@@ -30,13 +30,16 @@ class App {
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 
-  /// Until the window is closed. \throw ScriptError, FileError
+  /// Until the window is closed.
+  /// \throw ScriptError, FileError
   void run(std::vector<Command> script);
 
-  /// Waits until nothing is under way. \throw ScriptError  with what went wrong.
+  /// Waits until nothing is under way.
+  /// \throw ScriptError  with what went wrong.
   void settle();
 
-  /// The window's content, or the views alone, at any size. \throw RenderError
+  /// The window's content, or the views alone, at any size.
+  /// \throw RenderError
   render::Image picture(int width, int height, bool whole_window);
 
   const View& view() const { return view_; }
@@ -66,7 +69,7 @@ class App {
   /// A picture that is being drawn between the frames.
   struct Shot {
     PictureRequest request;
-    View view;  ///< when it was asked for
+    View view;  ///< when it was requested
     Sight sight;
     render::Framebuffer canvas;
     Painting painting;

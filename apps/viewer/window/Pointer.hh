@@ -17,7 +17,7 @@ class Pointer {
 
   bool moving() const { return !states_.empty(); }
 
-  /// Tells ImGui the next state. To be called between the window's news for a frame and the frame.
+  /// Passes ImGui the next state. To be called between the window's news for a frame and the frame.
   void apply();
 
  private:

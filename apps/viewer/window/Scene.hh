@@ -100,7 +100,8 @@ class Scene {
   std::size_t edition_ = 1, models_ = 0;
 };
 
-/// What a picture of the views shows. \param pixel  width of a thin line.
+/// What a picture of the views shows.
+/// \param pixel  width of a thin line.
 Sight sight(const Session& session, const Scene& scene, const View& view, const Rect& area, float pixel);
 
 /// The distance that gets the last heat colour.

@@ -25,7 +25,8 @@ class Views {
   void look_at(const Sight& sight) { wanted_ = sight; }
 
   /// Draws what is still to be drawn of that, for about so many milliseconds.
-  /// \return whether there is another picture to show. \throw RenderError  it is too large.
+  /// \return whether there is another picture to show.
+  /// \throw RenderError  it is too large.
   bool paint(double milliseconds, Scene& scene, const Session& session, const Painting::Clock& clock);
 
   /// Whether the picture that is wanted is complete.

@@ -19,8 +19,9 @@ class WindowError : public std::runtime_error {
 /// One window with a context of OpenGL 3.3 core, current on the thread that makes it. Only one may exist.
 class Window {
  public:
-  /// \param width    and height in pixels of an ordinary screen: on one that is twice as fine it has twice as
-  /// many. \param visible  false for pictures alone. \throw WindowError
+  /// \param width, height  in pixels of an ordinary screen; a screen twice as fine shows twice as many.
+  /// \param visible  false for pictures alone.
+  /// \throw WindowError
   Window(int width, int height, const std::string& title, bool visible);
   ~Window();
   Window(const Window&) = delete;

@@ -1,5 +1,5 @@
 /// \file
-/// Pictures that a user asks for: drawn between the window's frames, written by a worker.
+/// Pictures that the user requests: drawn between the window's frames, written by a worker.
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 

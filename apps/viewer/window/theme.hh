@@ -20,8 +20,8 @@ inline const ImVec4 original{0.70f, 0.73f, 0.77f, 1};  ///< of the original in h
 /// A readable font of the system, in the order of preference; empty if none is there.
 std::string find_font();
 
-/// Sets fonts, colours and sizes for a screen where everything is `scale` times as fine as on an ordinary
-/// one. \pre ImGui has a context and no frame is begun.
+/// Sets fonts, colours and sizes for a screen `scale` times as fine as an ordinary one.
+/// \pre ImGui has a context and no frame is begun.
 void set_theme(float scale);
 
 }  // namespace whittle::viewer

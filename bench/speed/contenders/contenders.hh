@@ -18,7 +18,8 @@ inline constexpr double kDistanceInEdges = 0.75, kRadiusInEdges = 0.82;
 
 /// Planned modules on arrays.
 std::vector<Entry> bulk_entries(const Subject& subject);
-/// mq on arrays. \param threads  0: as many as there are; else the name says how many
+/// mq on arrays.
+/// \param threads  0: as many as there are; else the name says how many
 std::vector<Entry> mq_entries(const std::vector<Target>& targets, std::size_t threads = 0);
 /// Planned modules in the sweep.
 std::vector<Entry> sweep_entries(const Subject& subject);
@@ -31,8 +32,8 @@ std::vector<Entry> compaction_entries(const Subject& subject);
 /// What surrounds a decimation: the arrays copied once, and conversions from and to OpenMesh.
 std::vector<Entry> conversion_entries();
 
-/// Other libraries' simplifiers, each to each target. Where one leaves other numbers of faces than it is asked
-/// for, the request that comes nearest is looked for in the first run.
+/// Other libraries' simplifiers, each to each target. Of those with another request than a number of faces, the
+/// one that comes nearest is searched for in the first run.
 std::vector<Entry> peer_entries(const std::vector<peers::Simplifier>& simplifiers,
                                 const std::vector<Target>& targets);
 

@@ -8,7 +8,7 @@
 namespace whittle::speed {
 namespace {
 
-/// What is asked of a simplifier: looked for in the first run, kept for the others.
+/// A simplifier's request: searched for in the first run, kept for the others.
 using Request = std::shared_ptr<std::optional<std::size_t>>;
 
 std::size_t best_request(const peers::Simplifier& simplifier, const Arrays& arrays, std::size_t wanted) {

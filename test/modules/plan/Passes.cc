@@ -63,7 +63,7 @@ TEST_CASE("one pass is a plan of the planner, no pass is none") {
   CHECK(plan_passes(ivdd(0.2), surface, 0, kNever).plan.collapses.empty());
 }
 
-TEST_CASE("the caller can end the passes") {
+TEST_CASE("passes end where the caller's monitor says so") {
   const IndexedMesh mesh = some_mesh();
   const Surface surface(mesh);
   const CollapsePlan all = plan_passes(ivdd(0.3), surface, 1000, kNever).plan;

@@ -37,7 +37,7 @@ TEST_CASE("a legal collapse enters the plan with its place and its faces") {
   CHECK(plan.stages == std::vector<std::size_t>{0});
 }
 
-TEST_CASE("the link condition") {
+TEST_CASE("the link condition refuses a collapse that would break the manifold") {
   SECTION("a tetrahedron would become two faces back to back") {
     CHECK(Bench(meshes::tetrahedron()).edge(0, 1) == Verdict::refused_by_link);
   }
@@ -180,7 +180,7 @@ TEST_CASE("of two vertices, the target's place between them says how much each c
   CHECK(share({-2, 3, 0}) == 1.f);
 }
 
-TEST_CASE("two vertices in one place count alike") {
+TEST_CASE("two vertices in one place have equal shares") {
   IndexedMesh mesh = meshes::octahedron();
   mesh.points[1] = mesh.points[0];
   CHECK(shares(mesh, {0, 1}, {1, 0, 0}) == std::vector<float>{0.5f});
@@ -204,7 +204,7 @@ TEST_CASE("of three vertices, the barycentric coordinates of the target say how 
   CHECK(share(0.25, -0.25) == Shares{1.f / 3, 0});       // outside: 1, 1/2, -1/2 become 2/3, 1/3, 0
 }
 
-TEST_CASE("three vertices in a line, and more than three, count alike") {
+TEST_CASE("three collinear vertices, and more than three, have equal shares") {
   const IndexedMesh line = meshes::triangle_in_hexagon({0, 0, 0}, {0.25, 0, 0}, {0.5, 0, 0}, 1);
   CHECK(shares(line, {0, 1, 2}, {0.5, 0, 0}) == std::vector<float>{0.5f, 1.f / 3});
   CHECK(shares(meshes::flat_grid(4), {5, 6, 10, 9}, {1, 1, 0}) == std::vector<float>{0.5f, 1.f / 3, 0.25f});

@@ -155,7 +155,7 @@ TEST_CASE("a plan of one stage is the planner's own") {
   CHECK(staged.record.fell_back == own.record.fell_back);
 }
 
-TEST_CASE("what the stages refuse is summed") {
+TEST_CASE("the counts of refused collapses are summed over the stages") {
   const IndexedMesh mesh = meshes::tetrahedron();
   VertexDistance planner = ivdd(10);
   planner.guard.min_cos = -1;
@@ -217,7 +217,7 @@ TEST_CASE("the user's reference normals hold for all stages") {
   CHECK(stages.add(ivdd(0.4)) == 0);
 }
 
-TEST_CASE("stages of nothing plan nothing") {
+TEST_CASE("stages on an empty mesh plan nothing") {
   for (const IndexedMesh& mesh :
        {IndexedMesh(), meshes::lone_triangle(), meshes::isolated_points(3), meshes::tetrahedron()}) {
     const Surface surface(mesh);

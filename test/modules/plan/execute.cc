@@ -8,7 +8,7 @@
 using namespace whittle;
 using meshes::IndexedMesh;
 
-TEST_CASE("nothing planned, nothing changed") {
+TEST_CASE("execute() of an empty plan changes nothing") {
   const IndexedMesh mesh = meshes::torus(8, 6);
   const auto out = execute(CollapsePlan(), mesh);
   CHECK(out.mesh.points == mesh.points);

@@ -104,7 +104,7 @@ TEST_CASE("SS scans vertices in index order and merges a vertex once") {
   for (const Collapse& c : merged.collapses) clusters[c.to].insert(c.from);
   CHECK(clusters[6] == std::set<std::uint32_t>{7, 11});
   CHECK(clusters[8] == std::set<std::uint32_t>{13});
-  CHECK(clusters[12] == std::set<std::uint32_t>{17});  // 7, 11 and 13 are taken; 16 and 18 find nobody
+  CHECK(clusters[12] == std::set<std::uint32_t>{17});  // 7, 11 and 13 are taken; 16 and 18 merge nothing
   CHECK(merged.collapses.size() == 4);
   CHECK(merged.collapses.front().to == 6);
   CHECK(merged.collapses.back().to == 12);

@@ -109,7 +109,7 @@ TEST_CASE("VTD to the letter folds the longer of the other two edges") {
 }
 
 TEST_CASE("VTD to the letter asks for the first short edge, d12 before d13 before d23") {
-  // Tolerances make the long edges short and the others not, so that it matters which edge is asked for.
+  // Tolerances make the long edges short and the others not, so that the choice of the edge matters.
   // scalene(2): d12 = 0.25, d23 = 0.3125, d13 = 0.375.
   const IndexedMesh mesh = scalene(2);
   SECTION("d12 is short: the longer of d13 and d23") {
