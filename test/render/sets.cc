@@ -5,8 +5,8 @@
 
 #include "catch.hh"
 #include "experiment/GeneratedMesh.hh"
-#include "experiment/SetMaker.hh"
 #include "experiment/Peers.hh"
+#include "experiment/SetMaker.hh"
 #include "recipe/Recipe.hh"
 
 using namespace whittle;

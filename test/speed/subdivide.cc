@@ -34,7 +34,8 @@ TEST_CASE("subdivision keeps boundaries") {
   CHECK(fine.nonmanifold_edges == 0);
 }
 
-TEST_CASE("subdivision keeps old points and moves new ones off the edge by up to a hundredth of it, never by 0") {
+TEST_CASE(
+    "subdivision keeps old points and moves new ones off the edge by up to a hundredth of it, never by 0") {
   const IndexedMesh fine = subdivided(meshes::flat_grid(2));
   REQUIRE(fine.points.size() == 4 + 5);
   CHECK(fine.points[3] == IndexedMesh::Point(1, 1, 0));

@@ -156,7 +156,8 @@ TEST_CASE("the exported mesh is the measured one") {
   CHECK_THROWS_AS(opened.session.export_result(opened.folder / "a.xyz", false), files::FileError);
 }
 
-TEST_CASE("attributes come through a session's recipe as on the command line, and those left out are reported") {
+TEST_CASE(
+    "attributes come through a session's recipe as on the command line, and those left out are reported") {
   const programs::Folder folder;
   const IndexedMesh torus = meshes::torus(40, 24);
   attributes::Attribute colours;
