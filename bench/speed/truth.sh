@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# How true mq is and how fast, against meshopt_simplify and CGAL's Lindstrom-Turk: packages, models, build, one run, one page.
+# Error and time of mq, against meshopt_simplify and CGAL's Lindstrom-Turk: packages, models, build, one run, one page.
 #   bench/speed/truth.sh [options of whittle-speed]
 # Results go to results/speed/truth.{json,md}. It takes about a quarter of an hour on two cores; let nothing else run meanwhile.
 set -euo pipefail
