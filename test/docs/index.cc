@@ -10,6 +10,7 @@
 
 #include "Folder.hh"
 #include "catch.hh"
+#include "whittle/version.hh"
 
 TEST_CASE("pages: each code block has a name and a test") {
   std::istringstream tested(WHITTLE_TESTED_BLOCKS);
@@ -60,4 +61,13 @@ TEST_CASE("pages: each link to a file of the repository leads to one") {
     }
   }
   CHECK(n_links > 50);
+}
+
+TEST_CASE("pages: citation and changelog name the version of the header") {
+  const std::string root = WHITTLE_DOCS_TESTS "/../../";
+  const std::string version = std::to_string(WHITTLE_VERSION_MAJOR) + "." +
+                              std::to_string(WHITTLE_VERSION_MINOR) + "." +
+                              std::to_string(WHITTLE_VERSION_PATCH);
+  CHECK_THAT(scratch::contents(root + "CITATION.cff"), Catch::Contains("\nversion: " + version + "\n"));
+  CHECK_THAT(scratch::contents(root + "CHANGELOG.md"), Catch::Contains("\n## " + version + " ("));
 }

@@ -1,6 +1,10 @@
 /// \file
 /// The C++ of the README, of the pages on modules and of the headers' comments, each block on a mesh; what it
 /// leaves is written, read back and counted.
+#include "readme_decimate.inc"
+
+#include "readme_arrays.inc"
+
 #include "readme_module.inc"
 
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
@@ -11,6 +15,10 @@
 #include <whittle/ModVertexDistanceT.hh>
 #include <whittle/planners/FaceAngle.hh>
 #include <whittle/planners/VertexDistance.hh>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 
 #include "catch.hh"
 #include "meshes.hh"
@@ -41,6 +49,66 @@ std::size_t faces_by_plan(const Planner& planner, const Mesh& mesh) {
 }
 
 }  // namespace
+
+TEST_CASE("README: to a tenth, boundary, attributes and the user's own properties are kept") {
+  const std::uint32_t n = 60;
+  Mesh mesh = to_mesh(meshes::grid(n, [](auto i, auto j) { return std::sin(0.1 * i) * std::cos(0.1 * j); }));
+  const std::size_t before = mesh.n_faces();
+  mesh.request_vertex_colors();
+  mesh.request_vertex_texcoords2D();
+  mesh.request_halfedge_texcoords2D();
+  OpenMesh::VPropHandleT<int> number;
+  mesh.add_property(number, "number");
+  // Linear in x and y, so that each survivor's position tells what it must have.
+  for (auto v : mesh.vertices()) {
+    const float x = mesh.point(v)[0] / n, y = mesh.point(v)[1] / n;
+    mesh.set_color(v, {static_cast<std::uint8_t>(255 * x), static_cast<std::uint8_t>(255 * y), 7});
+    mesh.set_texcoord2D(v, {x, y});
+    mesh.property(number, v) = v.idx();
+    for (auto h : mesh.vih_range(v)) mesh.set_texcoord2D(h, {x, y});
+  }
+
+  to_a_tenth(mesh);
+
+  CHECK(mesh.n_faces() <= before / 10);
+  CHECK(mesh.n_faces() > before / 10 - 2);
+  std::size_t on_boundary = 0;
+  for (auto v : mesh.vertices()) {
+    on_boundary += mesh.is_boundary(v);
+    const float x = mesh.point(v)[0] / n, y = mesh.point(v)[1] / n;
+    CHECK(std::abs(mesh.texcoord2D(v)[0] - x) < 0.01);
+    CHECK(std::abs(mesh.texcoord2D(v)[1] - y) < 0.01);
+    CHECK(std::abs(mesh.color(v)[0] - 255 * x) < 4);
+    CHECK(mesh.color(v)[2] == 7);
+    for (auto h : mesh.vih_range(v))
+      if (!mesh.is_boundary(h)) CHECK((mesh.texcoord2D(h) - mesh.texcoord2D(v)).norm() < 1e-6);
+    CHECK(mesh.property(number, v) >= 0);
+  }
+  CHECK(on_boundary == 4 * (n - 1));
+  CHECK_FALSE(mesh.has_face_status());
+
+  written::check_faces(mesh, mesh.n_faces());
+  const Mesh read = written::read_back(mesh, ".ply", OpenMesh::IO::Options::VertexColor);
+  REQUIRE(read.n_vertices() == mesh.n_vertices());
+  for (auto v : mesh.vertices()) CHECK(read.color(v) == mesh.color(v));
+}
+
+TEST_CASE("README: arrays come down to 1000 faces") {
+  const auto out = to_1000_faces(meshes::torus(96, 48));
+  CHECK(out.triangles.size() == 1000);
+  written::check_faces(to_mesh(out), 1000);
+}
+
+TEST_CASE("header of decimate: the example keeps the boundary and reaches its target") {
+  Mesh mesh = to_mesh(meshes::grid(60, [](auto i, auto j) { return std::sin(0.1 * i) * std::cos(0.1 * j); }));
+  {
+#include "header_decimate.inc"
+    CHECK(report.target_reached);
+    CHECK(report.faces == mesh.n_faces());
+    CHECK(report.faces_before == 2 * 59 * 59);
+  }
+  written::check_faces(mesh, 2 * 59 * 59 / 10);
+}
 
 TEST_CASE("README: the module in a decimater leaves a mesh that can be written") {
   Mesh mesh = torus();
