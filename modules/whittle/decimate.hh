@@ -254,6 +254,7 @@ class Statuses {
 
 /// Simplifies an OpenMesh triangle mesh in place and compacts it.
 ///
+/// <!-- test: header_decimate -->
 /// \code
 /// whittle::DecimateOptions options;
 /// options.ratio = 0.1;
