@@ -1,0 +1,93 @@
+#include "whittle/mq/place.hh"
+
+#include <cmath>
+#include <cstring>
+
+#include "mq/Built.hh"
+
+using namespace whittle;
+using fixture::built;
+using fixture::corner;
+using meshes::IndexedMesh;
+using mq::Corner;
+using mq::Placement;
+
+namespace {
+
+/// Two slopes that meet in a ridge at i = 3, 7 by 7; vertex i, j is i + 7 j.
+IndexedMesh ridge() {
+  return meshes::grid(7, [](std::uint32_t i, std::uint32_t) { return -std::abs(3.0 - i); });
+}
+
+Placement place_one(const mq::Mesh& mesh, Corner c) {
+  return mq::place(mesh, {c, c, c, c})[0];
+}
+
+}  // namespace
+
+TEST_CASE("mq places an edge on a ridge in its middle, and one down a slope at the ridge") {
+  const mq::Mesh mesh = built(ridge());
+  const Corner along = corner(mesh, 3 + 7 * 2, 3 + 7 * 3), down = corner(mesh, 3 + 7 * 3, 4 + 7 * 3);
+  const Placement middle = place_one(mesh, along), top = place_one(mesh, down);
+  CHECK((middle.offset - mesh.edge(along) / 2).norm() < 1e-4f);
+  CHECK(top.offset.norm() < 1e-4f);
+  CHECK(middle.cost < 1e-8f);
+  CHECK(top.cost < 1e-8f);
+}
+
+TEST_CASE("mq places an edge at the end that is held, whichever it is") {
+  SurfaceExtras extras;
+  extras.flags.assign(49, 0);
+  extras.flags[4 + 7 * 3] = kLocked;
+  const mq::Mesh mesh = built(ridge(), extras);
+  const Corner from = corner(mesh, 4 + 7 * 3, 3 + 7 * 3), to = corner(mesh, 3 + 7 * 3, 4 + 7 * 3);
+  CHECK(place_one(mesh, from).offset == mq::Vec::Zero());
+  CHECK(place_one(mesh, to).offset == mesh.edge(to));
+  // The other end leaves its ridge: six faces of half a square each, three of them on the far slope.
+  CHECK(place_one(mesh, from).cost > 0.001f);
+  CHECK(place_one(mesh, from).cost == place_one(mesh, to).cost);
+}
+
+TEST_CASE("mq divides the cost by the square of the lesser tolerance of both ends") {
+  const IndexedMesh input = meshes::shaken(meshes::flat_grid(7), 0.3, 1);
+  SurfaceExtras extras;
+  extras.tolerance.assign(49, 1.0f);
+  extras.tolerance[3 + 7 * 3] = 0.5f;
+  const mq::Mesh plain = built(input), weighted = built(input, extras);
+  const auto costs_at = [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(place_one(plain, corner(plain, a, b)).cost,
+                     place_one(weighted, corner(weighted, a, b)).cost);
+  };
+  const auto [cost, heavy] = costs_at(3 + 7 * 3, 3 + 7 * 2);
+  CHECK(cost > 0);
+  CHECK(heavy == 4 * cost);
+  const auto [far, as_before] = costs_at(3 + 7 * 2, 4 + 7 * 2);
+  CHECK(as_before == far);
+}
+
+TEST_CASE("mq places four edges as each by itself, to the bit") {
+  for (const IndexedMesh& input : fixture::sound_meshes()) {
+    const mq::Mesh mesh = built(input);
+    for (std::size_t f = 0; f + 3 < mesh.table.n_faces(); f += 3) {
+      const std::array<Corner, 4> four{mq::corner_of(f), mq::corner_of(f + 1) + 1, mq::corner_of(f + 2) + 2,
+                                       mq::corner_of(f + 3)};
+      const mq::Placements together = mq::place(mesh, four);
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Placement alone = place_one(mesh, four[i]);
+        REQUIRE(together[i].offset == alone.offset);
+        REQUIRE(together[i].cost == alone.cost);
+      }
+    }
+  }
+}
+
+TEST_CASE("mq places an edge of no length, or with faces of no area, at a finite point") {
+  IndexedMesh input = meshes::flat_grid(5);
+  for (auto& p : input.points) p.y() = 0;  // all on a line
+  input.points[12] = input.points[13];
+  const mq::Mesh mesh = built(input);
+  const Placement placed = place_one(mesh, corner(mesh, 12, 13));
+  CHECK(placed.offset.allFinite());
+  CHECK(placed.cost == 0);
+  CHECK(place_one(mesh, corner(mesh, 7, 12)).offset.allFinite());
+}
