@@ -35,7 +35,7 @@ TEST_CASE("mq may collapse an inner edge, and a boundary edge along the boundary
 
 TEST_CASE("mq refuses an inner edge between two boundary vertices") {
   const mq::Mesh mesh = built(meshes::flat_grid(3));  // its only inner vertex is 4
-  CHECK(judge_middle(mesh, corner(mesh, 1, 5)) == Verdict::illegal);
+  CHECK(judge_middle(mesh, corner(mesh, 1, 5)) == Verdict::breaks_link);
 }
 
 TEST_CASE("mq refuses an edge whose ends have a third neighbour in common") {
@@ -45,14 +45,14 @@ TEST_CASE("mq refuses an edge whose ends have a third neighbour in common") {
   waist.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
   const mq::Mesh mesh = built(waist, {}, {-1, 180, HUGE_VAL});
   for (const auto& [a, b] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(2u, 0u)})
-    CHECK(judge_middle(mesh, corner(mesh, a, b)) == Verdict::illegal);
+    CHECK(judge_middle(mesh, corner(mesh, a, b)) == Verdict::breaks_link);
 }
 
 TEST_CASE("mq refuses to leave two faces back to back, or an ear without its tip") {
   const mq::Mesh solid = built(meshes::tetrahedron(), {}, {-1, 180, HUGE_VAL});
-  for (Corner c = 0; c < 3; ++c) CHECK(judge_middle(solid, c) == Verdict::illegal);
+  for (Corner c = 0; c < 3; ++c) CHECK(judge_middle(solid, c) == Verdict::breaks_link);
   const mq::Mesh lone = built(meshes::lone_triangle(), {}, {-1, 180, HUGE_VAL});
-  for (Corner c = 0; c < 3; ++c) CHECK(judge_middle(lone, c) == Verdict::illegal);
+  for (Corner c = 0; c < 3; ++c) CHECK(judge_middle(lone, c) == Verdict::breaks_link);
 }
 
 TEST_CASE("mq refuses to move the boundary into a held inner vertex") {
@@ -60,7 +60,7 @@ TEST_CASE("mq refuses to move the boundary into a held inner vertex") {
   extras.flags.assign(25, 0);
   extras.flags[6] = kLocked;
   const mq::Mesh mesh = built(meshes::flat_grid(5), extras);
-  CHECK(judge_at(mesh, corner(mesh, 6, 1), mq::Vec::Zero()) == Verdict::illegal);
+  CHECK(judge_at(mesh, corner(mesh, 6, 1), mq::Vec::Zero()) == Verdict::breaks_link);
   const Corner c = corner(mesh, 7, 2);  // not held
   CHECK(judge_at(mesh, c, mesh.edge(c)) == Verdict::legal);
 }
@@ -69,7 +69,7 @@ TEST_CASE("mq refuses a target that turns a face of the ring over") {
   const mq::Mesh mesh = built(meshes::flat_grid(5));
   const Corner c = corner(mesh, 12, 13);
   CHECK(judge_at(mesh, c, 0.9f * mesh.edge(c)) == Verdict::legal);
-  CHECK(judge_at(mesh, c, 4 * mesh.edge(c)) == Verdict::illegal);
+  CHECK(judge_at(mesh, c, 4 * mesh.edge(c)) == Verdict::turns_face);
 }
 
 TEST_CASE("mq refuses a target beyond the bound") {
@@ -79,7 +79,7 @@ TEST_CASE("mq refuses a target beyond the bound") {
     return mq::Vec(mesh.edge(c) / 2 + mq::Vec(0, 0, static_cast<float>(model_units / mesh.scale)));
   };
   CHECK(judge_at(mesh, c, height(0.45)) == Verdict::legal);
-  CHECK(judge_at(mesh, c, height(0.55)) == Verdict::illegal);
+  CHECK(judge_at(mesh, c, height(0.55)) == Verdict::breaks_bound);
 }
 
 TEST_CASE("mq leaves an edge alone whose ring reaches beyond the worker's part, and only that") {
