@@ -1,14 +1,18 @@
 #!/usr/bin/env bash
-# Compiles every header of a folder alone, as the only include. Fails if one of them gives an error or a warning.
-#   check.sh COMPILER STANDARD INCLUDE_DIR [SYSTEM_INCLUDE_DIR...]
-# The headers are INCLUDE_DIR/whittle/*.hh; two are compiled at a time.
+# Compiles headers with the warnings of a careful project, all of them errors.
+#   check.sh alone    COMPILER STANDARD INCLUDE_DIR [SYSTEM_INCLUDE_DIR...]
+#   check.sh together COMPILER STANDARD INCLUDE_DIR [SYSTEM_INCLUDE_DIR...]
+# alone     each header under INCLUDE_DIR/whittle as the only include, two at a time
+# together  everything.cc beside this script, which includes every header that users include: those right in
+#           INCLUDE_DIR/whittle
 set -euo pipefail
 
-compiler=$1 standard=$2 include=$3
-shift 3
+mode=$1 compiler=$2 standard=$3 include=$4
+shift 4
+everything=$(realpath "$(dirname "${BASH_SOURCE[0]}")")/everything.cc
 
 flags=(-x c++ -std="$standard" -fsyntax-only -Werror -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-       -Wno-sign-conversion -I "$include")
+       -Wsign-conversion -I "$include")
 for directory in "$@"; do
   # GCC looks there anyway, and its own headers break if the place in the search order changes.
   [[ $directory == /usr/include ]] || flags+=(-isystem "$directory")
@@ -25,7 +29,15 @@ compile() {
 export -f compile
 
 cd "$include"
-headers=(whittle/*.hh)
-[[ -f ${headers[0]} ]] || { echo "no headers in $include/whittle" >&2; exit 1; }
+if [[ $mode == together ]]; then
+  for header in whittle/*.hh; do
+    grep -q "<$header>" "$everything" || { echo "$everything does not include $header" >&2; exit 1; }
+  done
+  "$compiler" "${flags[@]}" "$everything"
+  echo "the headers compile together with $compiler -std=$standard"
+  exit
+fi
+mapfile -d '' -t headers < <(find whittle -name '*.hh' -print0 | sort -z)
+((${#headers[@]})) || { echo "no headers in $include/whittle" >&2; exit 1; }
 printf '%s\0' "${headers[@]}" | xargs -0 -P 2 -I '{}' bash -c 'compile "$@"' bash '{}' "$compiler" "${flags[@]}"
 echo "${#headers[@]} headers compile alone with $compiler -std=$standard"

@@ -23,7 +23,7 @@ class InFours {
   /// Hands over what is left; call it at the end.
   void flush() {
     if (n_ == 0) return;
-    std::fill(items_.begin() + n_, items_.end(), items_[0]);
+    std::fill(items_.begin() + static_cast<std::ptrdiff_t>(n_), items_.end(), items_[0]);
     take_(items_, n_);
     n_ = 0;
   }
@@ -31,7 +31,7 @@ class InFours {
  private:
   Take take_;
   std::array<Item, 4> items_{};
-  std::ptrdiff_t n_ = 0;
+  std::size_t n_ = 0;
 };
 
 }  // namespace whittle::mq

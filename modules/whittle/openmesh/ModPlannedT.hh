@@ -170,11 +170,12 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     if (rank < placed_by) return;
     placed_by = rank;
     auto p = mesh.point(ci.v1);
+    auto* coordinates = &p[0];
     bool moved = false;
     for (int i = 0; i < 3; ++i) {
       const auto coordinate = static_cast<typename MeshT::Scalar>(collapse->target[i]);
-      moved |= p[i] != coordinate;
-      p[i] = coordinate;
+      moved |= coordinates[i] != coordinate;
+      coordinates[i] = coordinate;
     }
     if (!moved) return;
     mesh.set_point(ci.v1, p);

@@ -33,7 +33,7 @@ Value blend(const Value& a, const Value& b, double share) {
   } else {
     Value out = a;
     for (int i = 0; i < static_cast<int>(OpenMesh::vector_traits<Value>::size_); ++i)
-      out[i] = blend_scalar(a[i], b[i], share);
+      (&out[0])[i] = blend_scalar((&a[0])[i], (&b[0])[i], share);
     return out;
   }
 }
@@ -46,11 +46,13 @@ void blend_vertex_attributes(Mesh& mesh, typename Mesh::VertexHandle from, typen
   if (mesh.has_vertex_normals()) {
     auto normal = blend(mesh.normal(to), mesh.normal(from), share);
     double squares = 0;
-    for (int i = 0; i < 3; ++i) squares += static_cast<double>(normal[i]) * static_cast<double>(normal[i]);
+    auto* components = &normal[0];
+    for (int i = 0; i < 3; ++i)
+      squares += static_cast<double>(components[i]) * static_cast<double>(components[i]);
     using Scalar = std::decay_t<decltype(normal[0])>;
     if (squares > 0) {
       for (int i = 0; i < 3; ++i)
-        normal[i] = static_cast<Scalar>(static_cast<double>(normal[i]) / std::sqrt(squares));
+        components[i] = static_cast<Scalar>(static_cast<double>(components[i]) / std::sqrt(squares));
       mesh.set_normal(to, normal);
     }
   }
@@ -79,7 +81,7 @@ void add_values(const Mesh& mesh, const ValueWeights& weights, SurfaceExtras& ex
       const auto value = get(typename Mesh::VertexHandle(static_cast<int>(v)));
       for (std::size_t i = 0; i < old; ++i) values[all * v + i] = extras.values[old * v + i];
       for (std::size_t i = 0; i < size; ++i)
-        values[all * v + old + i] = static_cast<float>(weight * static_cast<double>(value[int(i)]) / full);
+        values[all * v + old + i] = static_cast<float>(weight * static_cast<double>((&value[0])[i]) / full);
     }
     extras.values = std::move(values);
     extras.n_values = all;

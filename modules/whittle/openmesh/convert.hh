@@ -54,7 +54,7 @@ std::size_t to_openmesh(const IndexedMeshT<typename Mesh::Scalar>& indexed, Mesh
   for (const auto& p : indexed.points) mesh.add_vertex(typename Mesh::Point(p[0], p[1], p[2]));
   std::size_t refused = 0;
   for (const auto& t : indexed.triangles) {
-    const auto corner = [&](int i) { return VertexHandle(first + static_cast<int>(t[i])); };
+    const auto corner = [&](std::size_t i) { return VertexHandle(first + static_cast<int>(t[i])); };
     const bool is_degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     refused += is_degenerate || !mesh.add_face(corner(0), corner(1), corner(2)).is_valid();
   }

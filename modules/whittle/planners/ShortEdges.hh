@@ -29,7 +29,7 @@ struct ShortEdges {
              const std::vector<std::uint8_t>& taken) {
     const auto& t = surface.triangle(face);
     double least = 0;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = t[i], b = t[(i + 1) % 3];
       if (taken[a] || taken[b] || !surface.may_merge(a, b, boundary)) continue;
       const double squared_length = (surface.point(b) - surface.point(a)).squaredNorm();
@@ -38,7 +38,7 @@ struct ShortEdges {
       is_short[i] = true;
       ++count;
       if (shortest >= 0 && squared_length >= least) continue;
-      shortest = i;
+      shortest = static_cast<int>(i);
       least = squared_length;
     }
   }

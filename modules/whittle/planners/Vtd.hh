@@ -50,7 +50,8 @@ struct Vtd {
  private:
   /// The edge to fold, from corner i to the next.
   template <typename Real>
-  int choose(const SurfaceT<Real>& surface, std::uint32_t face, const detail::ShortEdges& edges) const;
+  std::size_t choose(const SurfaceT<Real>& surface, std::uint32_t face,
+                     const detail::ShortEdges& edges) const;
 };
 
 inline void Vtd::validate() const {
@@ -60,11 +61,12 @@ inline void Vtd::validate() const {
 }
 
 template <typename Real>
-int Vtd::choose(const SurfaceT<Real>& surface, std::uint32_t face, const detail::ShortEdges& edges) const {
-  if (fold == Fold::shortest) return edges.shortest;
+std::size_t Vtd::choose(const SurfaceT<Real>& surface, std::uint32_t face,
+                        const detail::ShortEdges& edges) const {
+  if (fold == Fold::shortest) return static_cast<std::size_t>(edges.shortest);
   // The paper asks for d12, then d13, then d23; here these are the edges 0, 2 and 1.
-  const int first = edges.is_short[0] ? 0 : edges.is_short[2] ? 2 : 1;
-  const int next = (first + 1) % 3, previous = (first + 2) % 3;
+  const std::size_t first = edges.is_short[0] ? 0 : edges.is_short[2] ? 2 : 1;
+  const std::size_t next = (first + 1) % 3, previous = (first + 2) % 3;
   const auto& t = surface.triangle(face);
   const Eigen::Vector3d p = surface.point(t[previous]);  // the corner that both of them have
   const double to_next = (p - surface.point(t[next])).squaredNorm();
@@ -85,14 +87,14 @@ CollapsePlan Vtd::plan(const SurfaceT<Real>& surface) const {
 
     const auto& t = surface.triangle(f);
     Verdict triangle = Verdict::accepted;
-    int edge = -1;
+    std::size_t edge = 0;
     if (edges.count == 3 && !surface.is_boundary(t[0])) {
       triangle = draft.merge(t, detail::place(surface, t, placement));
       if (triangle == Verdict::accepted) {
         merged[t[0]] = merged[t[1]] = merged[t[2]] = true;
         continue;
       }
-      edge = edges.shortest;
+      edge = static_cast<std::size_t>(edges.shortest);
     } else {
       edge = choose(surface, f, edges);
     }

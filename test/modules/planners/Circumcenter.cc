@@ -27,15 +27,15 @@ Circumcenter unguarded(Circumcenter planner = {}) {
 }
 
 /// Corners whose circumcentre, (0, 1/16), is exact.
-IndexedMesh acute() {
+IndexedMesh exact() {
   return meshes::triangle_in_hexagon({-0.25, -0.125, 0}, {0.25, -0.125, 0}, {0, 0.375, 0}, 1);
 }
 
 }  // namespace
 
 TEST_CASE("VT turns an acute triangle into its circumcentre") {
-  const IndexedMesh mesh = acute();
-  const CollapsePlan merged = plan({}, mesh);
+  const IndexedMesh mesh = exact();
+  const CollapsePlan merged = plan(Circumcenter(), mesh);
   REQUIRE(meshes::merges(merged) == meshes::Merges{{1, 0}, {2, 0}});
   CHECK(merged.collapses[0].target == Vector3d(0, 0.0625, 0));
   CHECK(merged.collapses[1].target == Vector3d(0, 0.0625, 0));
@@ -50,7 +50,7 @@ TEST_CASE("VT turns an acute triangle into its circumcentre") {
 
 TEST_CASE("VT turns an obtuse triangle into the middle of its longest edge") {
   const CollapsePlan merged =
-      plan({}, meshes::triangle_in_hexagon({-0.25, 0, 0}, {0.25, 0, 0}, {0.0625, 0.125, 0}, 1));
+      plan(Circumcenter(), meshes::triangle_in_hexagon({-0.25, 0, 0}, {0.25, 0, 0}, {0.0625, 0.125, 0}, 1));
   REQUIRE(merged.collapses.size() == 2);
   CHECK(merged.collapses[1].target == Vector3d(0, 0, 0));
 }
@@ -74,7 +74,7 @@ TEST_CASE("VT with the literal circumcentre leaves an obtuse triangle") {
 }
 
 TEST_CASE("VT needs three free vertices") {
-  const IndexedMesh mesh = acute();
+  const IndexedMesh mesh = exact();
   for (const std::uint8_t flag : {kLocked, kFeature, kSeam, kComplex})
     for (int v = 0; v < 3; ++v) {
       std::vector<std::uint8_t> flags(9, 0);
@@ -85,7 +85,7 @@ TEST_CASE("VT needs three free vertices") {
 }
 
 TEST_CASE("VT keeps complex vertices") {
-  IndexedMesh mesh = acute();
+  IndexedMesh mesh = exact();
   mesh.points.emplace_back(0, 0, 1);
   mesh.triangles.push_back({0, 1, 9});  // a fin on the edge 0 1
   CHECK(plan(unguarded(), mesh).collapses.empty());
@@ -94,13 +94,13 @@ TEST_CASE("VT keeps complex vertices") {
 TEST_CASE("VT scans triangles in index order and merges a vertex once") {
   // Free are 5, 6, 9 and 10. The two triangles of the middle square share 5 and 10.
   IndexedMesh mesh = meshes::flat_grid(4);
-  const CollapsePlan lower = plan({}, mesh);
+  const CollapsePlan lower = plan(Circumcenter(), mesh);
   CHECK(meshes::merges(lower) == meshes::Merges{{6, 5}, {10, 5}});
   CHECK(lower.collapses[0].target == Vector3d(1.5, 1.5, 0));  // a right angle: the middle of the hypotenuse
   CHECK(lower.record.refused_by_flip_guard + lower.record.refused_by_link == 0);
 
   std::reverse(mesh.triangles.begin(), mesh.triangles.end());
-  CHECK(meshes::merges(plan({}, mesh)) == meshes::Merges{{10, 5}, {9, 5}});
+  CHECK(meshes::merges(plan(Circumcenter(), mesh)) == meshes::Merges{{10, 5}, {9, 5}});
 }
 
 TEST_CASE("VT skips a refused triangle and goes on with its vertices") {
@@ -128,7 +128,7 @@ TEST_CASE("VT counts what the link condition refuses") {
 }
 
 TEST_CASE("VT keeps a vertex of tolerance 0 and has no other use for tolerances") {
-  const IndexedMesh mesh = acute();
+  const IndexedMesh mesh = exact();
   std::vector<float> tolerance(9, 1);
   tolerance[2] = 0;
   CHECK(Circumcenter().plan(SurfaceT<double>(mesh, {{}, tolerance, {}})).collapses.empty());
@@ -144,19 +144,19 @@ TEST_CASE("VT has no threshold to scale") {
 TEST_CASE("VT is not troubled by degenerate triangles") {
   SECTION("two corners in one place") {
     const CollapsePlan merged =
-        plan({}, meshes::triangle_in_hexagon({-0.25, 0, 0}, {-0.25, 0, 0}, {0.25, 0, 0}, 1));
+        plan(Circumcenter(), meshes::triangle_in_hexagon({-0.25, 0, 0}, {-0.25, 0, 0}, {0.25, 0, 0}, 1));
     for (const Collapse& c : merged.collapses) CHECK(c.target == Vector3d(0, 0, 0));
   }
   SECTION("three corners in one place") {
     const CollapsePlan merged =
-        plan({}, meshes::triangle_in_hexagon({0.125, 0, 0}, {0.125, 0, 0}, {0.125, 0, 0}, 1));
+        plan(Circumcenter(), meshes::triangle_in_hexagon({0.125, 0, 0}, {0.125, 0, 0}, {0.125, 0, 0}, 1));
     REQUIRE(merged.collapses.size() == 2);
     CHECK(merged.collapses[1].target == Vector3d(0.125, 0, 0));
   }
   SECTION("a triangle that names a vertex twice") {
-    IndexedMesh mesh = acute();
+    IndexedMesh mesh = exact();
     mesh.triangles.push_back({2, 2, 0});
-    CHECK(plan({}, mesh).collapses.empty());  // 0 and 2 are complex
+    CHECK(plan(Circumcenter(), mesh).collapses.empty());  // 0 and 2 are complex
   }
 }
 
@@ -181,6 +181,6 @@ TEST_CASE("VT refuses a guard that means nothing") {
     Circumcenter planner;
     planner.guard.min_cos = cosine;
     CHECK_THROWS_AS(planner.validate(), InvalidParameter);
-    CHECK_THROWS_AS(plan(planner, acute()), InvalidParameter);
+    CHECK_THROWS_AS(plan(planner, exact()), InvalidParameter);
   }
 }

@@ -2,10 +2,12 @@
 
 #include "catch.hh"
 #include "meshes.hh"
+#include "planners/acute.hh"
 #include "whittle/plan/execute.hh"
 
 using namespace whittle;
 using Eigen::Vector3d;
+using meshes::acute, meshes::kA, meshes::kB, meshes::kC;
 using meshes::IndexedMesh;
 using meshes::Merges;
 
@@ -33,11 +35,6 @@ SphereScan merging(double radius) {
   SphereScan planner = within(radius);
   planner.boundary = Boundary::merge;
   return planner;
-}
-
-const Vector3d kA(0, 0, 0), kB(0.25, 0, 0), kC(0.125, 0.375, 0);  // edges 0.25, 0.395, 0.395
-IndexedMesh acute() {
-  return meshes::triangle_in_hexagon(kA, kB, kC, 1);
 }
 
 /// Flags that leave only the given vertices free.

@@ -14,23 +14,23 @@ CollapsePlan plan(const VertexDistance& planner, const IndexedMesh& mesh,
   return planner.plan(SurfaceT<double>(mesh, {std::move(flags), {}, {}}));
 }
 
-VertexDistance below(double distance) {
+VertexDistance folding(double distance) {
   VertexDistance planner;
   planner.max_distance = distance;
   return planner;
 }
 
-const Eigen::Vector3d kA(0, 0, 0), kB(0.2, 0, 0), kC(0.1, 0.3, 0);  // edges 0.2, 0.3162, 0.3162
-IndexedMesh acute() {
-  return meshes::triangle_in_hexagon(kA, kB, kC, 1);
+const Eigen::Vector3d kP(0, 0, 0), kQ(0.2, 0, 0), kR(0.1, 0.3, 0);  // edges 0.2, 0.3162, 0.3162
+IndexedMesh slim() {
+  return meshes::triangle_in_hexagon(kP, kQ, kR, 1);
 }
 
 }  // namespace
 
 TEST_CASE("IVDD folds an edge just inside of the threshold and keeps it just outside") {
-  CHECK(plan(below(0.2 - 1e-12), acute()).collapses.empty());
-  CHECK(plan(below(0.2), acute()).collapses.empty());  // an edge must be shorter, not as long
-  const CollapsePlan folded = plan(below(0.2 + 1e-12), acute());
+  CHECK(plan(folding(0.2 - 1e-12), slim()).collapses.empty());
+  CHECK(plan(folding(0.2), slim()).collapses.empty());  // an edge must be shorter, not as long
+  const CollapsePlan folded = plan(folding(0.2 + 1e-12), slim());
   REQUIRE(folded.collapses.size() == 1);
   CHECK(folded.collapses[0].to == 0);
   CHECK(folded.collapses[0].from == 1);
@@ -39,25 +39,25 @@ TEST_CASE("IVDD folds an edge just inside of the threshold and keeps it just out
 
 TEST_CASE("IVDD folds a triangle with two short edges to the centre of its circle") {
   const double longer = std::sqrt(0.1);
-  CHECK(plan(below(longer - 1e-12), acute()).collapses.size() == 1);
-  const IndexedMesh mesh = acute();
-  const auto out = execute(plan(below(longer + 1e-12), mesh), mesh);
+  CHECK(plan(folding(longer - 1e-12), slim()).collapses.size() == 1);
+  const IndexedMesh mesh = slim();
+  const auto out = execute(plan(folding(longer + 1e-12), mesh), mesh);
   CHECK(out.mesh.points.size() == 7);
   CHECK(out.mesh.triangles.size() == 6);
-  CHECK(out.mesh.points[0].isApprox(detail::circumcenter(kA, kB, kC), 1e-15));
+  CHECK(out.mesh.points[0].isApprox(detail::circumcenter(kP, kQ, kR), 1e-15));
 }
 
 TEST_CASE("IVDD needs two short edges to fold a triangle, whichever they are") {
   // Edges 0.2, 0.2 and 0.38: two are short, the third is not.
   const IndexedMesh mesh =
       meshes::triangle_in_hexagon({-0.19, 0, 0}, {0.19, 0, 0}, {0, 0.0624499799839840, 0}, 1);
-  const CollapsePlan folded = plan(below(0.21), mesh);
+  const CollapsePlan folded = plan(folding(0.21), mesh);
   REQUIRE(folded.collapses.size() == 2);
   CHECK(folded.collapses[0].target == Eigen::Vector3d(0, 0, 0));  // obtuse: the middle of the longest edge
 }
 
 TEST_CASE("IVDD with the literal circumcentre is off the triangle, or falls back") {
-  VertexDistance planner = below(0.5);
+  VertexDistance planner = folding(0.5);
   planner.placement = VertexDistance::Placement::circumcenter;
   SECTION("a little off, where the guard allows it") {
     const Eigen::Vector3d a(-0.2, 0, 0), b(0.2, 0, 0), c(0, 0.15, 0);
@@ -83,7 +83,7 @@ TEST_CASE("IVDD leaves a fold that would flip a face, and counts it") {
   mesh.points[4] = {-0.4, -0.3, 0};
   mesh.points[5] = {-0.1, -0.05, 0};
   const std::vector<std::uint8_t> flags{0, 0, kLocked, 0, 0, 0, 0, 0, 0};
-  VertexDistance planner = below(0.65);
+  VertexDistance planner = folding(0.65);
   const CollapsePlan refused = plan(planner, mesh, flags);
   CHECK(refused.collapses.empty());
   CHECK(refused.record.refused_by_flip_guard == 2);  // once for each face that has the edge
@@ -92,20 +92,20 @@ TEST_CASE("IVDD leaves a fold that would flip a face, and counts it") {
 }
 
 TEST_CASE("IVDD keeps boundary, locked and feature vertices") {
-  const IndexedMesh mesh = acute();
-  CHECK(plan(below(10), mesh).collapses.size() == 2);  // the hexagon's edges are shorter, too, but stay
+  const IndexedMesh mesh = slim();
+  CHECK(plan(folding(10), mesh).collapses.size() == 2);  // the hexagon's edges are shorter, too, but stay
   for (const std::uint8_t flag : {kLocked, kFeature}) {
-    const CollapsePlan folded = plan(below(10), mesh, {flag, 0, 0, 0, 0, 0, 0, 0, 0});
+    const CollapsePlan folded = plan(folding(10), mesh, {flag, 0, 0, 0, 0, 0, 0, 0, 0});
     REQUIRE(folded.collapses.size() == 1);
     CHECK(folded.collapses[0].to == 1);
     CHECK(folded.collapses[0].from == 2);
-    CHECK(plan(below(10), mesh, {flag, flag, 0, 0, 0, 0, 0, 0, 0}).collapses.empty());
+    CHECK(plan(folding(10), mesh, {flag, flag, 0, 0, 0, 0, 0, 0, 0}).collapses.empty());
   }
 }
 
 TEST_CASE("IVDD folds a vertex at most once a pass") {
   const IndexedMesh mesh = meshes::torus(12, 9);
-  const CollapsePlan folded = plan(below(0.3), mesh);
+  const CollapsePlan folded = plan(folding(0.3), mesh);
   REQUIRE(folded.collapses.size() > 10);
   std::vector<int> clusters(mesh.points.size(), 0);
   for (std::size_t i = 0; i < folded.collapses.size(); ++i) {
@@ -117,38 +117,38 @@ TEST_CASE("IVDD folds a vertex at most once a pass") {
 }
 
 TEST_CASE("IVDD is not troubled by degenerate triangles") {
-  IndexedMesh mesh = acute();
+  IndexedMesh mesh = slim();
   mesh.points[1] = mesh.points[0];  // an edge of length 0
-  const CollapsePlan folded = plan(below(0.01), mesh);
+  const CollapsePlan folded = plan(folding(0.01), mesh);
   REQUIRE(folded.collapses.size() == 1);
   CHECK(folded.collapses[0].target == mesh.points[0]);
 }
 
 TEST_CASE("IVDD with distance 0 folds nothing") {
-  IndexedMesh mesh = acute();
+  IndexedMesh mesh = slim();
   mesh.points[1] = mesh.points[0];
-  CHECK(plan(below(0), mesh).collapses.empty());
+  CHECK(plan(folding(0), mesh).collapses.empty());
 }
 
 TEST_CASE("IVDD refuses parameters that mean nothing") {
   for (const double distance : {-1.0, std::nan(""), HUGE_VAL}) {
-    CHECK_THROWS_AS(below(distance).validate(), InvalidParameter);
-    CHECK_THROWS_AS(plan(below(distance), acute()), InvalidParameter);
+    CHECK_THROWS_AS(folding(distance).validate(), InvalidParameter);
+    CHECK_THROWS_AS(plan(folding(distance), slim()), InvalidParameter);
   }
-  VertexDistance planner = below(1);
+  VertexDistance planner = folding(1);
   planner.guard.min_cos = 2;
   CHECK_THROWS_AS(planner.validate(), InvalidParameter);
 }
 
 TEST_CASE("IVDD's threshold scales") {
-  CHECK(below(0.5).scaled(0.5).max_distance == 0.25);
+  CHECK(folding(0.5).scaled(0.5).max_distance == 0.25);
 }
 
 TEST_CASE("IVDD multiplies the distance by the lesser tolerance of two vertices") {
   const auto merges = [](double distance, float a, float b) {
-    const IndexedMesh mesh = acute();
+    const IndexedMesh mesh = slim();
     return meshes::merges(
-        below(distance).plan(SurfaceT<double>(mesh, {{}, {a, b, 0, 1, 1, 1, 1, 1, 1}, {}})));
+        folding(distance).plan(SurfaceT<double>(mesh, {{}, {a, b, 0, 1, 1, 1, 1, 1, 1}, {}})));
   };
   const meshes::Merges one{{1, 0}};
   CHECK(merges(10, 0, 1).empty());
@@ -163,9 +163,9 @@ TEST_CASE("IVDD multiplies the distance by the lesser tolerance of two vertices"
 
 TEST_CASE("IVDD's tolerances count for each edge of a triangle") {
   // The tolerant edge 0 1 is short, those at 2 are not: no triangle, but an edge.
-  const IndexedMesh mesh = acute();
+  const IndexedMesh mesh = slim();
   const auto merges = [&](float c) {
-    return meshes::merges(below(0.4).plan(SurfaceT<double>(mesh, {{}, {1, 1, c, 1, 1, 1, 1, 1, 1}, {}})));
+    return meshes::merges(folding(0.4).plan(SurfaceT<double>(mesh, {{}, {1, 1, c, 1, 1, 1, 1, 1, 1}, {}})));
   };
   CHECK(merges(1) == meshes::Merges{{1, 0}, {2, 0}});
   CHECK(merges(0.75) == meshes::Merges{{1, 0}});
@@ -173,7 +173,7 @@ TEST_CASE("IVDD's tolerances count for each edge of a triangle") {
 
 TEST_CASE("IVDD folds boundary edges to their midpoint where it may, and keeps them otherwise") {
   const IndexedMesh mesh = meshes::flat_grid(3);
-  VertexDistance planner = below(1.1);
+  VertexDistance planner = folding(1.1);
   CHECK(plan(planner, mesh).collapses.empty());
   planner.boundary = Boundary::merge;
   const CollapsePlan folded = plan(planner, mesh);
@@ -191,7 +191,7 @@ TEST_CASE("IVDD folds an edge of three boundary vertices, never the triangle") {
   mesh.triangles[5] = {6, 3, 7};
   std::vector<std::uint8_t> flags(9, kLocked);
   flags[3] = flags[6] = flags[7] = 0;
-  VertexDistance planner = below(1.5);
+  VertexDistance planner = folding(1.5);
   planner.boundary = Boundary::merge;
   const CollapsePlan folded = plan(planner, mesh, flags);
   REQUIRE(meshes::merges(folded) == meshes::Merges{{3, 6}});
@@ -199,7 +199,7 @@ TEST_CASE("IVDD folds an edge of three boundary vertices, never the triangle") {
 }
 
 TEST_CASE("IVDD folds no inner edge between boundary vertices, and none from inside to the boundary") {
-  VertexDistance planner = below(0.5);
+  VertexDistance planner = folding(0.5);
   planner.boundary = Boundary::merge;
   for (const Collapse& c : plan(planner, meshes::strip(4, 0.25)).collapses) {
     CHECK(c.faces == 1);
@@ -211,7 +211,7 @@ TEST_CASE("IVDD folds no inner edge between boundary vertices, and none from ins
 }
 
 TEST_CASE("IVDD keeps a locked boundary vertex when the boundary may merge") {
-  VertexDistance planner = below(1.1);
+  VertexDistance planner = folding(1.1);
   planner.boundary = Boundary::merge;
   const CollapsePlan folded = plan(planner, meshes::flat_grid(3), {kLocked, 0, 0, 0, 0, 0, 0, 0, 0});
   for (const Collapse& c : folded.collapses) CHECK((c.from != 0 && c.to != 0));
@@ -219,16 +219,16 @@ TEST_CASE("IVDD keeps a locked boundary vertex when the boundary may merge") {
 }
 
 TEST_CASE("IVDD places no vertex at infinity, not even with the literal circumcentre and without the guard") {
-  VertexDistance planner = below(1);
+  VertexDistance planner = folding(1);
   planner.placement = VertexDistance::Placement::circumcenter;
   planner.guard.min_cos = -1;
-  for (const Collapse& c : plan(planner, meshes::triangle_in_hexagon(kA, kA, kC, 1)).collapses)
+  for (const Collapse& c : plan(planner, meshes::triangle_in_hexagon(kP, kP, kR, 1)).collapses)
     CHECK(c.target.allFinite());
 }
 
 TEST_CASE("IVDD leaves a mesh alone that has nothing to fold") {
   for (const Boundary boundary : {Boundary::keep, Boundary::merge}) {
-    VertexDistance planner = below(10);
+    VertexDistance planner = folding(10);
     planner.boundary = boundary;
     CHECK(plan(planner, {}).collapses.empty());
     CHECK(plan(planner, meshes::lone_triangle()).collapses.empty());

@@ -2,10 +2,12 @@
 
 #include "catch.hh"
 #include "meshes.hh"
+#include "planners/acute.hh"
 #include "whittle/plan/execute.hh"
 
 using namespace whittle;
 using Eigen::Vector3d;
+using meshes::acute, meshes::kA, meshes::kB, meshes::kC;
 using meshes::IndexedMesh;
 using meshes::Merges;
 
@@ -29,15 +31,10 @@ Vtd literal(double distance, double min_cos = 0.2) {
   return planner;
 }
 
-Vtd merging(double distance) {
+Vtd along_boundary(double distance) {
   Vtd planner = below(distance);
   planner.boundary = Boundary::merge;
   return planner;
-}
-
-const Vector3d kA(0, 0, 0), kB(0.25, 0, 0), kC(0.125, 0.375, 0);  // edges 0.25, 0.395, 0.395
-IndexedMesh acute() {
-  return meshes::triangle_in_hexagon(kA, kB, kC, 1);
 }
 
 /// A triangle of edges 0.25, 0.3125 and 0.375 in a hexagon, its short edge opposite to corner `across`; the
@@ -209,7 +206,7 @@ TEST_CASE("VTD keeps locked, feature, seam and complex vertices") {
 TEST_CASE("VTD keeps the boundary, or folds its edges") {
   const IndexedMesh mesh = meshes::flat_grid(3);
   CHECK(plan(below(10), mesh).collapses.empty());
-  const CollapsePlan folded = plan(merging(1.1), mesh);
+  const CollapsePlan folded = plan(along_boundary(1.1), mesh);
   REQUIRE(meshes::merges(folded) == Merges{{1, 0}, {5, 2}, {6, 7}});
   CHECK(folded.collapses[0].target == Vector3d(0.5, 0, 0));
   CHECK(folded.collapses[1].target == Vector3d(2, 0.5, 0));
@@ -223,13 +220,13 @@ TEST_CASE("VTD folds an edge of three boundary vertices, never the triangle") {
   mesh.triangles[5] = {6, 3, 7};
   std::vector<std::uint8_t> flags(9, kLocked);
   flags[3] = flags[6] = flags[7] = 0;
-  const CollapsePlan folded = plan(merging(1.5), mesh, flags);
+  const CollapsePlan folded = plan(along_boundary(1.5), mesh, flags);
   REQUIRE(meshes::merges(folded) == Merges{{3, 6}});
   CHECK(folded.collapses[0].target == Vector3d(0, 1.5, 0));
 }
 
 TEST_CASE("VTD folds no inner edge between boundary vertices") {
-  for (const Collapse& c : plan(merging(0.5), meshes::strip(4, 0.25)).collapses) {
+  for (const Collapse& c : plan(along_boundary(0.5), meshes::strip(4, 0.25)).collapses) {
     CHECK(c.faces == 1);
     CHECK((c.to % 4 == 0 || c.to % 4 == 3));  // the rungs at the two ends
   }
@@ -238,7 +235,7 @@ TEST_CASE("VTD folds no inner edge between boundary vertices") {
 TEST_CASE("VTD never merges an inner vertex with the boundary") {
   IndexedMesh mesh = meshes::cone(6, 0);
   mesh.points[0] = {0.9, 0, 0};  // 0.1 from the boundary vertex 1
-  CHECK(plan(merging(0.5), mesh).collapses.empty());
+  CHECK(plan(along_boundary(0.5), mesh).collapses.empty());
 }
 
 TEST_CASE("VTD multiplies the distance by the lesser tolerance of two vertices") {
@@ -278,7 +275,7 @@ TEST_CASE("VTD with distance 0 merges nothing") {
 }
 
 TEST_CASE("VTD leaves a mesh alone that has nothing to merge") {
-  for (const Vtd& planner : {below(10), literal(10), merging(10)}) {
+  for (const Vtd& planner : {below(10), literal(10), along_boundary(10)}) {
     CHECK(plan(planner, {}).collapses.empty());
     CHECK(plan(planner, meshes::lone_triangle()).collapses.empty());
     CHECK(plan(planner, meshes::isolated_points(3)).collapses.empty());
