@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "whittle/openmesh/ModPlannedT.hh"
-#include "whittle/openmesh/attributes.hh"
+#include "whittle/openmesh/describe.hh"
 #include "whittle/planners/MemorylessQuadric.hh"
 #include "whittle/surface/errors.hh"
 
@@ -45,8 +45,10 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
   void set_max_distance(double distance) {
     this->change([&](MemorylessQuadric& p) { p.max_distance = distance; });
   }
-  /// Lets the mesh's vertex normals, colours and texture coordinates count beside the shape, where vertices
-  /// go as well as in what order. Lengths, not negative; default 0.
+  /// Lets the mesh's normals, colours and texture coordinates, of vertices and of half-edges, count beside
+  /// the shape, where vertices go as well as in what order. Half-edge texture coordinates count where all
+  /// corners of a vertex agree. Lengths, not negative; default 0. `initialize()` throws InvalidParameter if
+  /// that makes more than 12 values a vertex.
   /// \throw InvalidParameter
   void set_value_weights(const ValueWeights& weights) {
     for (const double weight : {weights.normals, weights.colours, weights.texture})
@@ -59,7 +61,7 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
  protected:
   void describe(const MeshT& mesh, const IndexedMeshT<typename MeshT::Scalar>&,
                 SurfaceExtras& extras) override {
-    add_values(mesh, weights_, extras);
+    detail::add_values(mesh, weights_, extras);
   }
 
  private:

@@ -7,6 +7,7 @@
 
 #include "whittle/openmesh/DriverT.hh"
 #include "whittle/openmesh/ModPlannedT.hh"
+#include "whittle/openmesh/RingPrefetchT.hh"
 
 namespace whittle {
 
@@ -45,9 +46,16 @@ class SweepDecimaterT : public DriverT<MeshT> {
     // What another module refuses now, it may allow once the neighbourhood has changed.
     for (std::size_t before = pending.size() + 1; pending.size() < before;) {
       before = pending.size();
+      detail::RingPrefetchT<Mesh> ahead(this->mesh_);
       auto still = pending.begin();
-      for (const Collapse* collapse : pending) {
+      for (std::size_t i = 0; i < before; ++i) {
         if (this->finished()) return;
+        if (i + ahead.kAhead < before) {
+          const Collapse& later = *pending[i + ahead.kAhead];
+          ahead.announce(VertexHandle(static_cast<int>(later.from)),
+                         VertexHandle(static_cast<int>(later.to)));
+        }
+        const Collapse* const collapse = pending[i];
         if (!try_execute(*collapse)) *still++ = collapse;
       }
       pending.erase(still, pending.end());

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "whittle/openmesh/points_in_space.hh"
+
 namespace whittle {
 
 /// Where the elements of a mesh went: for each old index the new one, -1 for a deleted element.
@@ -67,6 +69,7 @@ void move_properties(Iterator begin, Iterator end, const std::vector<int>& left,
 /// stay with their elements. Without a status property of a kind, no element of that kind counts as deleted.
 template <typename Mesh>
 Compaction compact(Mesh& mesh) {
+  detail::require_points_in_space<Mesh>();
   using VertexHandle = typename Mesh::VertexHandle;
   using HalfedgeHandle = typename Mesh::HalfedgeHandle;
   using EdgeHandle = typename Mesh::EdgeHandle;

@@ -5,6 +5,7 @@
 #include "whittle/ModFaceAngleT.hh"
 #include "whittle/ModMemorylessQuadricT.hh"
 #include "whittle/ModVertexDistanceT.hh"
+#include "whittle/bulk.hh"
 
 using namespace whittle;
 using fixture::Mesh;
@@ -198,5 +199,19 @@ TEST_CASE("the sweep honours targets, selection, observers and constraints") {
     CHECK(done > 0);
     CHECK(done + decimater.refused() == planned);
     CHECK(decimater.refused() > 0);
+  }
+}
+
+TEST_CASE("mq through the sweep is mq by bulk, on any number of threads") {
+  const Mesh mesh = fixture::to_openmesh<Mesh>(meshes::shaken(meshes::torus(180, 90), 0.001, 5));
+  MemorylessQuadric planner;
+  planner.target_faces = mesh.n_faces() / 5;
+  const auto expected = bulk(planner, to_indexed(mesh)).mesh;
+  for (const std::size_t threads : {1u, 2u, 5u, 0u}) {
+    const auto swept = fixture::run<SweepDecimaterT, ModMemorylessQuadricT>(mesh, [&](auto& mq) {
+      mq.set_target_faces(planner.target_faces);
+      mq.set_threads(threads);
+    });
+    CHECK(meshes::canonical(swept) == meshes::canonical(expected));
   }
 }

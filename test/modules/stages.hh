@@ -22,7 +22,7 @@ inline void check_same(const std::vector<whittle::Collapse>& a, const std::vecto
     CHECK(a[i].from == b[i].from);
     CHECK(a[i].to == b[i].to);
     CHECK(a[i].faces == b[i].faces);
-    CHECK(a[i].share == b[i].share);
+    CHECK(a[i].rest == b[i].rest);
     CHECK(a[i].target == b[i].target);
   }
 }

@@ -106,8 +106,8 @@ inline Collapse collapse(Mesh& mesh, Corner c, const Placement& placement, const
   update_ring(mesh, c, worker, quadric);
   if (!mesh.values.empty()) update_values(mesh, c, target, along, worker, quadric);
 
-  const bool swap = mesh.keeps_end(c);
-  if (swap) std::swap(mesh.input[from], mesh.input[to]);  // the table merges the end into the start
+  if (mesh.keeps_end(c))
+    std::swap(mesh.input[from], mesh.input[to]);  // the table merges the end into the start
   unqueued = {fuse(mesh, c), d == kNoCorner ? kNoCorner : fuse(mesh, d)};
   table.collapse(c);
   table.notes(c).clear_edges();  // so that a queue can skip it without asking whether its face is dead
@@ -129,8 +129,8 @@ inline Collapse collapse(Mesh& mesh, Corner c, const Placement& placement, const
       at = table.around(at);
     } while (at != kNoCorner && at != table.first(to));
   }
-  return {mesh.input[from], mesh.input[to], d == kNoCorner ? 1u : 2u,
-          std::clamp(swap ? 1 - along : along, 0.0f, 1.0f), mesh.center + mesh.scale * target.cast<double>()};
+  return {mesh.input[from], mesh.input[to], d == kNoCorner ? 1u : 2u, 0,
+          mesh.center + mesh.scale * target.cast<double>()};
 }
 
 }  // namespace whittle::mq

@@ -10,6 +10,7 @@
 #include "whittle/openmesh/HalfedgeCollapse.hh"
 #include "whittle/openmesh/PlannedModule.hh"
 #include "whittle/openmesh/RunReport.hh"
+#include "whittle/openmesh/points_in_space.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle {
@@ -29,7 +30,9 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   using VertexHandle = typename Mesh::VertexHandle;
   using HalfedgeHandle = typename Mesh::HalfedgeHandle;
 
-  explicit DriverT(Mesh& mesh) : Base(mesh), mesh_(mesh), connectivity_(mesh) {}
+  explicit DriverT(Mesh& mesh) : Base(mesh), mesh_(mesh), connectivity_(mesh) {
+    detail::require_points_in_space<Mesh>();
+  }
 
   template <typename Module>
   bool add(OpenMesh::Decimater::ModHandleT<Module>& handle) {

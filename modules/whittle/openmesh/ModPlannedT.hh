@@ -2,6 +2,7 @@
 /// What all of Whittle's decimater modules share: a plan, looked up collapse by collapse.
 #pragma once
 
+#include <Eigen/Core>
 #include <OpenMesh/Core/Utils/Property.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <cstddef>
@@ -14,6 +15,8 @@
 #include "whittle/openmesh/PlannedModule.hh"
 #include "whittle/openmesh/attributes.hh"
 #include "whittle/openmesh/convert.hh"
+#include "whittle/openmesh/describe.hh"
+#include "whittle/openmesh/points_in_space.hh"
 #include "whittle/plan/CollapsePlan.hh"
 #include "whittle/plan/plan_mesh.hh"
 #include "whittle/planners/ScanOrder.hh"
@@ -37,9 +40,12 @@ struct PlanOutcome {
 /// - As the priority module it allows just the planned collapses, in the order of the plan. In binary mode it
 ///   forbids every collapse that is not planned.
 /// - Vertices with status locked or feature, and those on a seam of half-edge texture coordinates, stay.
-/// - A survivor's normal, colour and texture coordinates are blended from the vertices that merged, face
-/// normals are
-///   refreshed. Other properties stay as they are, and the mesh gets none.
+/// - A survivor that moves takes the normal (of unit length), colour and texture coordinates at the nearest
+///   point of the mesh as it was at `initialize()`; texture coordinates of half-edges from its own side of a
+///   seam. One that stays keeps its own. Face normals are refreshed. Other properties stay as they are, and
+///   the mesh gets none.
+/// - Where another module forbids a part of a cluster, the survivor lies at the centroid of the vertices that
+///   have merged, a place that the flip guard has not judged; see Collapse.
 /// - OpenMesh's decimaters initialise their modules once. For another pass call `initialize()` of the module
 ///   itself. After a garbage collection the plan is made anew without being asked.
 /// - `set_error_tolerance_factor(f)` multiplies the planner's threshold by f.
@@ -51,7 +57,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   using ModBase = OpenMesh::Decimater::ModBaseT<MeshT>;
   using CollapseInfo = OpenMesh::Decimater::CollapseInfoT<MeshT>;
 
-  explicit ModPlannedT(MeshT& mesh) : ModBase(mesh, false) {}
+  explicit ModPlannedT(MeshT& mesh) : ModBase(mesh, false) { detail::require_points_in_space<MeshT>(); }
 
   const Planner& planner() const { return planner_; }
 
@@ -117,7 +123,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     const MeshT& mesh = this->mesh();
     const auto indexed = to_indexed(mesh);
     SurfaceExtras extras;
-    extras.flags = user_flags(mesh);
+    extras.flags = detail::user_flags(mesh);
     if (tolerance_.is_valid())
       for (std::size_t v = 0; v < mesh.n_vertices(); ++v)
         extras.tolerance.push_back(
@@ -134,6 +140,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
       rank_[plan_.collapses[i].from] = static_cast<std::uint32_t>(i);
     executed_.assign(plan_.collapses.size(), false);
     placed_by_.assign(indexed.points.size(), 0);
+    attributes_.take_snapshot(mesh);
     n_planned_vertices_ = indexed.points.size();
   }
 
@@ -151,7 +158,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   void preprocess_collapse(const CollapseInfo& ci) override {
-    if (planned(ci)) corners_.before(this->mesh(), ci.v0v1);
+    if (planned(ci)) attributes_.before(this->mesh(), ci.v0v1);
   }
 
   /// Moves the survivor to its target. OpenMesh refreshes face normals before this call, hence once more
@@ -161,25 +168,10 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     if (!collapse) return;
     const std::uint32_t rank = rank_[collapse->from];
     executed_[rank] = true;
+    const bool moved = place_survivor(ci, rank);
     auto& mesh = this->mesh();
-    if (collapse->share > 0) blend_vertex_attributes(mesh, ci.v0, ci.v1, collapse->share);
-    corners_.after(mesh, ci.v1, collapse->share);
-
-    // A decimater that does not go by rank may come to a stage's collapse after those of a later stage.
-    std::uint32_t& placed_by = placed_by_[collapse->to];
-    if (rank < placed_by) return;
-    placed_by = rank;
-    auto p = mesh.point(ci.v1);
-    auto* coordinates = &p[0];
-    bool moved = false;
-    for (int i = 0; i < 3; ++i) {
-      const auto coordinate = static_cast<typename MeshT::Scalar>(collapse->target[i]);
-      moved |= coordinates[i] != coordinate;
-      coordinates[i] = coordinate;
-    }
-    if (!moved) return;
-    mesh.set_point(ci.v1, p);
-    if (!mesh.has_face_normals()) return;
+    attributes_.after(mesh, ci.v0, ci.v1, moved);
+    if (!moved || !mesh.has_face_normals()) return;
     for (auto f = mesh.cvf_iter(ci.v1); f.is_valid(); ++f) mesh.set_normal(*f, mesh.calc_face_normal(*f));
   }
 
@@ -258,6 +250,43 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     return &plan_.collapses[rank];
   }
 
+  /// Moves the survivor of a collapse that has been executed to where its cluster, or the part of it that has
+  /// merged by now, belongs. \return whether it has moved
+  bool place_survivor(const CollapseInfo& ci, std::uint32_t rank) {
+    const Collapse& collapse = plan_.collapses[rank];
+    // A decimater that does not go by rank may come to a stage's collapse after those of a later stage.
+    const std::uint32_t last = rank + collapse.rest;
+    std::uint32_t& placed_by = placed_by_[collapse.to];
+    if (last < placed_by) return false;
+    placed_by = last;
+
+    using Point = Eigen::Matrix<typename MeshT::Scalar, 3, 1>;
+    auto& mesh = this->mesh();
+    auto p = mesh.point(ci.v1);
+    const Point before(p[0], p[1], p[2]);
+    Point after = collapse.target.template cast<typename MeshT::Scalar>();
+    if (const std::size_t merged = n_merged(rank); merged > 0) {
+      const auto& from = mesh.point(ci.v0);
+      after = detail::place_of_part<typename MeshT::Scalar>(before, {from[0], from[1], from[2]},
+                                                            collapse.target, merged);
+    }
+    if (after == before) return false;
+    for (std::uint32_t i = 0; i < 3; ++i) p[i] = after[i];
+    mesh.set_point(ci.v1, p);
+    return true;
+  }
+
+  /// How many vertices of a cluster its survivor stands for, itself included; 0 if that is all of them.
+  std::size_t n_merged(std::uint32_t rank) const {
+    const auto& collapses = plan_.collapses;
+    const std::size_t last = rank + collapses[rank].rest;
+    std::size_t first = rank;
+    while (first > 0 && collapses[first - 1].rest > 0) --first;
+    std::size_t executed = 0;
+    for (std::size_t i = first; i <= last; ++i) executed += executed_[i];
+    return executed == last - first + 1 ? 0 : executed + 1;
+  }
+
   /// A float for a rank. As numbers, floats are exact to 2^24 only; positive floats are ordered as their bits
   /// are, which gives more than 2^30 of them. The first is the smallest normal one, for denormals may be
   /// flushed to 0.
@@ -274,10 +303,11 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   std::size_t enough_faces_ = 0, enough_vertices_ = 0;
   OpenMesh::VPropHandleT<float> tolerance_;
   CollapsePlan plan_;
-  std::vector<std::uint32_t> rank_;       // of the collapse that removes a vertex
-  std::vector<bool> executed_;            // for each collapse of the plan
-  std::vector<std::uint32_t> placed_by_;  // for each survivor the highest rank that has moved it
-  CornerAttributes<MeshT> corners_;
+  std::vector<std::uint32_t> rank_;  // of the collapse that removes a vertex
+  std::vector<bool> executed_;       // for each collapse of the plan
+  std::vector<std::uint32_t>
+      placed_by_;  // for each survivor the last rank of the latest cluster that has moved it
+  detail::SurvivorAttributesT<MeshT> attributes_;
   std::size_t n_planned_vertices_ = kNoPlan;
 };
 

@@ -1,159 +1,193 @@
 /// \file
-/// What happens to normals, colours and texture coordinates when a vertex vanishes into another.
+/// What becomes of normals, colours and texture coordinates when vertices merge.
 #pragma once
 
-#include <OpenMesh/Core/Utils/vector_traits.hh>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <type_traits>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
-#include "whittle/openmesh/convert.hh"
-#include "whittle/surface/Surface.hh"
+#include "whittle/openmesh/FaceWalkT.hh"
+#include "whittle/openmesh/components.hh"
+#include "whittle/openmesh/describe.hh"
 
-namespace whittle {
+namespace whittle::detail {
 
-/// (1 - share) a + share b; rounded to the nearest where the type is integral, as in colours of bytes.
-template <typename Scalar>
-Scalar blend_scalar(Scalar a, Scalar b, double share) {
-  const double value = (1 - share) * static_cast<double>(a) + share * static_cast<double>(b);
-  if constexpr (std::is_integral_v<Scalar>)
-    return static_cast<Scalar>(std::lround(value));
-  else
-    return static_cast<Scalar>(value);
-}
-
-/// The same for scalars and for vectors, component by component.
-template <typename Value>
-Value blend(const Value& a, const Value& b, double share) {
-  if constexpr (std::is_arithmetic_v<Value>) {
-    return blend_scalar(a, b, share);
-  } else {
-    Value out = a;
-    for (int i = 0; i < static_cast<int>(OpenMesh::vector_traits<Value>::size_); ++i)
-      (&out[0])[i] = blend_scalar((&a[0])[i], (&b[0])[i], share);
-    return out;
-  }
-}
-
-/// Blends the vertex attributes of `from` into those of `to`; only those that the mesh has. Normals stay of
-/// unit length.
+/// The attributes of a mesh while its vertices merge: a survivor that moves takes the values at the nearest
+/// point of the mesh as it was at `take_snapshot()`, one that stays keeps its own. The texture coordinates of
+/// half-edges are those of the survivor's own side of a seam. Only attributes that the mesh has; without any,
+/// nothing is stored and nothing is done.
 template <typename Mesh>
-void blend_vertex_attributes(Mesh& mesh, typename Mesh::VertexHandle from, typename Mesh::VertexHandle to,
-                             double share) {
-  if (mesh.has_vertex_normals()) {
-    auto normal = blend(mesh.normal(to), mesh.normal(from), share);
-    double squares = 0;
-    auto* components = &normal[0];
-    for (int i = 0; i < 3; ++i)
-      squares += static_cast<double>(components[i]) * static_cast<double>(components[i]);
-    using Scalar = std::decay_t<decltype(normal[0])>;
-    if (squares > 0) {
-      for (int i = 0; i < 3; ++i)
-        components[i] = static_cast<Scalar>(static_cast<double>(components[i]) / std::sqrt(squares));
-      mesh.set_normal(to, normal);
-    }
-  }
-  if (mesh.has_vertex_colors()) mesh.set_color(to, blend(mesh.color(to), mesh.color(from), share));
+class SurvivorAttributesT {
+ public:
+  using VertexHandle = typename Mesh::VertexHandle;
+  using HalfedgeHandle = typename Mesh::HalfedgeHandle;
+
+  /// From now on, the mesh as it is is the input.
+  /// \param mesh  of triangles
+  void take_snapshot(const Mesh& mesh);
+
+  /// Before the collapse of a half-edge.
+  void before(const Mesh& mesh, HalfedgeHandle v0v1);
+
+  /// After it, and after `v1` has been moved if it is to be.
+  void after(Mesh& mesh, VertexHandle v0, VertexHandle v1, bool moved);
+
+ private:
+  using FaceWalk = FaceWalkT<Mesh>;
+
+  /// Calls `visit(values, get, set)` for each attribute that the mesh has, with the values of the input.
+  template <typename Self, typename AnyMesh, typename Visit>
+  static void for_each_of_vertices(Self& self, AnyMesh& mesh, Visit visit);
+  template <typename Self, typename AnyMesh, typename Visit>
+  static void for_each_of_corners(Self& self, AnyMesh& mesh, Visit visit);
+
+  template <typename Normal>
+  static Normal unit(Normal n);
+
+  void sample_vertex(Mesh& mesh, VertexHandle v, const typename FaceWalk::Spot& spot) const;
+  void sample_corners(Mesh& mesh, VertexHandle v, const typename FaceWalk::Spot& spot) const;
+
+  FaceWalk walk_;
+  std::vector<std::uint32_t> face_;       // of the input, nearest to each vertex
+  std::vector<HalfedgeHandle> arriving_;  // pointed to v0 before the collapse
+  HalfedgeHandle at_v1_;                  // has the coordinates that they take if v1 stays
+  bool has_vertices_ = false, has_corners_ = false;
+  // Of each vertex of the input, or of each corner of the walk; empty: the mesh had none.
+  std::vector<typename Mesh::Normal> normals_;
+  std::vector<typename Mesh::Color> colours_;
+  std::vector<typename Mesh::TexCoord1D> texture1_, corners1_;
+  std::vector<typename Mesh::TexCoord2D> texture2_, corners2_;
+  std::vector<typename Mesh::TexCoord3D> texture3_, corners3_;
+};
+
+template <typename Mesh>
+template <typename Self, typename AnyMesh, typename Visit>
+void SurvivorAttributesT<Mesh>::for_each_of_vertices(Self& self, AnyMesh& mesh, Visit visit) {
+  if (mesh.has_vertex_normals())
+    visit(
+        self.normals_, [&](auto v) { return mesh.normal(v); },
+        [&](auto v, const auto& x) { mesh.set_normal(v, unit(x)); });
+  if (mesh.has_vertex_colors())
+    visit(
+        self.colours_, [&](auto v) { return mesh.color(v); },
+        [&](auto v, const auto& x) { mesh.set_color(v, x); });
   if (mesh.has_vertex_texcoords1D())
-    mesh.set_texcoord1D(to, blend(mesh.texcoord1D(to), mesh.texcoord1D(from), share));
+    visit(
+        self.texture1_, [&](auto v) { return mesh.texcoord1D(v); },
+        [&](auto v, const auto& x) { mesh.set_texcoord1D(v, x); });
   if (mesh.has_vertex_texcoords2D())
-    mesh.set_texcoord2D(to, blend(mesh.texcoord2D(to), mesh.texcoord2D(from), share));
+    visit(
+        self.texture2_, [&](auto v) { return mesh.texcoord2D(v); },
+        [&](auto v, const auto& x) { mesh.set_texcoord2D(v, x); });
   if (mesh.has_vertex_texcoords3D())
-    mesh.set_texcoord3D(to, blend(mesh.texcoord3D(to), mesh.texcoord3D(from), share));
+    visit(
+        self.texture3_, [&](auto v) { return mesh.texcoord3D(v); },
+        [&](auto v, const auto& x) { mesh.set_texcoord3D(v, x); });
 }
 
-/// Adds a mesh's vertex normals, colours and texture coordinates to what a planner is told, times their
-/// weights; only those that the mesh has.
 template <typename Mesh>
-void add_values(const Mesh& mesh, const ValueWeights& weights, SurfaceExtras& extras) {
-  const std::size_t n = mesh.n_vertices();
-  const auto add = [&](double weight, auto get) {
-    using Value = std::decay_t<decltype(get(typename Mesh::VertexHandle(0)))>;
-    using Component = typename OpenMesh::vector_traits<Value>::value_type;
-    constexpr std::size_t size = OpenMesh::vector_traits<Value>::size_;
-    const double full = std::is_integral_v<Component> ? double(std::numeric_limits<Component>::max()) : 1;
-    const std::size_t old = extras.n_values, all = old + size;
-    std::vector<float> values(all * n);
-    for (std::size_t v = 0; v < n; ++v) {
-      const auto value = get(typename Mesh::VertexHandle(static_cast<int>(v)));
-      for (std::size_t i = 0; i < old; ++i) values[all * v + i] = extras.values[old * v + i];
-      for (std::size_t i = 0; i < size; ++i)
-        values[all * v + old + i] = static_cast<float>(weight * static_cast<double>((&value[0])[i]) / full);
-    }
-    extras.values = std::move(values);
-    extras.n_values = all;
-  };
-  if (weights.normals > 0 && mesh.has_vertex_normals())
-    add(weights.normals, [&](auto v) { return mesh.normal(v); });
-  if (weights.colours > 0 && mesh.has_vertex_colors())
-    add(weights.colours, [&](auto v) { return mesh.color(v); });
-  if (weights.texture > 0 && mesh.has_vertex_texcoords2D())
-    add(weights.texture, [&](auto v) { return mesh.texcoord2D(v); });
+template <typename Self, typename AnyMesh, typename Visit>
+void SurvivorAttributesT<Mesh>::for_each_of_corners(Self& self, AnyMesh& mesh, Visit visit) {
+  if (mesh.has_halfedge_texcoords1D())
+    visit(
+        self.corners1_, [&](auto h) { return mesh.texcoord1D(h); },
+        [&](auto h, const auto& x) { mesh.set_texcoord1D(h, x); });
+  if (mesh.has_halfedge_texcoords2D())
+    visit(
+        self.corners2_, [&](auto h) { return mesh.texcoord2D(h); },
+        [&](auto h, const auto& x) { mesh.set_texcoord2D(h, x); });
+  if (mesh.has_halfedge_texcoords3D())
+    visit(
+        self.corners3_, [&](auto h) { return mesh.texcoord3D(h); },
+        [&](auto h, const auto& x) { mesh.set_texcoord3D(h, x); });
 }
 
-/// Carries one kind of half-edge texture coordinate over a collapse. OpenMesh lets the half-edges that
-/// pointed to `v0` point to `v1` and leaves them the coordinate of `v0`.
-template <typename Value>
-class CornerCoordinates {
- public:
-  /// Before the collapse. `v0` is on no seam, so one value holds all around it; `v1` may be, and the value
-  /// that counts is that of the faces at the edge.
-  template <typename Mesh, typename Get>
-  void read(const Mesh& mesh, typename Mesh::HalfedgeHandle v0v1, Get get) {
-    const auto v1v0 = mesh.opposite_halfedge_handle(v0v1);
-    const bool left = !mesh.is_boundary(v0v1);
-    at_v1_ = get(left ? v0v1 : mesh.prev_halfedge_handle(v1v0));
-    at_v0_ = get(left ? mesh.prev_halfedge_handle(v0v1) : v1v0);
-  }
-
-  /// After it: what the corner at `v1` has where the half-edge pointed to `v0` before.
-  Value blended(double share) const { return blend(at_v1_, at_v0_, share); }
-
- private:
-  Value at_v0_{}, at_v1_{};
-};
-
-/// All half-edge texture coordinates of a mesh over a collapse; only those that the mesh has.
 template <typename Mesh>
-class CornerAttributes {
- public:
-  void before(const Mesh& mesh, typename Mesh::HalfedgeHandle v0v1) {
-    corners_.clear();
-    if (!has_any(mesh)) return;
-    const auto v0 = mesh.from_vertex_handle(v0v1);
-    for (auto h = mesh.cvih_iter(v0); h.is_valid(); ++h) corners_.push_back(*h);
-    if (mesh.has_halfedge_texcoords1D()) one_.read(mesh, v0v1, [&](auto h) { return mesh.texcoord1D(h); });
-    if (mesh.has_halfedge_texcoords2D()) two_.read(mesh, v0v1, [&](auto h) { return mesh.texcoord2D(h); });
-    if (mesh.has_halfedge_texcoords3D()) three_.read(mesh, v0v1, [&](auto h) { return mesh.texcoord3D(h); });
-  }
+template <typename Normal>
+Normal SurvivorAttributesT<Mesh>::unit(Normal n) {
+  double squares = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) squares += double(component(n, i)) * double(component(n, i));
+  if (!(squares > 0)) return n;
+  using Scalar = typename ComponentsT<Normal>::Scalar;
+  for (std::uint32_t i = 0; i < 3; ++i)
+    component(n, i) = static_cast<Scalar>(double(component(n, i)) / std::sqrt(squares));
+  return n;
+}
 
-  void after(Mesh& mesh, typename Mesh::VertexHandle v1, double share) {
-    if (!has_any(mesh)) return;
-    if (share > 0) {  // v1 has moved, so it is free, so it is on no seam: all its corners take the new value
-      corners_.clear();
-      for (auto h = mesh.vih_iter(v1); h.is_valid(); ++h) corners_.push_back(*h);
+template <typename Mesh>
+void SurvivorAttributesT<Mesh>::take_snapshot(const Mesh& mesh) {
+  *this = SurvivorAttributesT();
+  for_each_of_vertices(*this, mesh, [&](auto& values, auto get, auto /*set*/) {
+    has_vertices_ = true;
+    for (std::size_t v = 0; v < mesh.n_vertices(); ++v)
+      values.push_back(get(VertexHandle(static_cast<int>(v))));
+  });
+  for_each_of_corners(*this, mesh, [&](auto& values, auto get, auto /*set*/) {
+    has_corners_ = true;
+    values.resize(3 * mesh.n_faces());
+    for (std::size_t f = 0; f < mesh.n_faces(); ++f) {
+      const typename Mesh::FaceHandle face(static_cast<int>(f));
+      if (mesh.has_face_status() && mesh.status(face).deleted()) continue;
+      auto h = mesh.prev_halfedge_handle(mesh.halfedge_handle(face));  // it points to the first corner
+      for (std::size_t i = 0; i < 3; ++i, h = mesh.next_halfedge_handle(h)) values[3 * f + i] = get(h);
     }
-    for (const auto h : corners_) {
-      if (mesh.to_vertex_handle(h) != v1) continue;
-      if (mesh.has_halfedge_texcoords1D()) mesh.set_texcoord1D(h, one_.blended(share));
-      if (mesh.has_halfedge_texcoords2D()) mesh.set_texcoord2D(h, two_.blended(share));
-      if (mesh.has_halfedge_texcoords3D()) mesh.set_texcoord3D(h, three_.blended(share));
-    }
+  });
+  if (!has_vertices_ && !has_corners_) return;
+  walk_ = FaceWalk(mesh);
+  for (std::uint32_t v = 0; v < mesh.n_vertices(); ++v) face_.push_back(walk_.a_face(v));
+}
+
+/// `v0` is on no seam, so one value holds all around it; `v1` may be on one, and the corners that come to it
+/// take the value in the faces at the edge.
+template <typename Mesh>
+void SurvivorAttributesT<Mesh>::before(const Mesh& mesh, HalfedgeHandle v0v1) {
+  if (!has_corners_) return;
+  arriving_.clear();
+  for (auto h = mesh.cvih_iter(mesh.from_vertex_handle(v0v1)); h.is_valid(); ++h) arriving_.push_back(*h);
+  at_v1_ = mesh.is_boundary(v0v1) ? mesh.prev_halfedge_handle(mesh.opposite_halfedge_handle(v0v1)) : v0v1;
+}
+
+template <typename Mesh>
+void SurvivorAttributesT<Mesh>::after(Mesh& mesh, VertexHandle v0, VertexHandle v1, bool moved) {
+  if (!has_vertices_ && !has_corners_) return;
+  std::uint32_t& face = face_[static_cast<std::size_t>(v1.idx())];
+  if (!moved) {
+    for_each_of_corners(*this, mesh, [&](const auto& /*values*/, auto get, auto set) {
+      for (const HalfedgeHandle h : arriving_)
+        if (mesh.to_vertex_handle(h) == v1) set(h, get(at_v1_));
+    });
+    return;
   }
+  const auto& p = mesh.point(v1);
+  const auto spot = walk_.nearest({double(p[0]), double(p[1]), double(p[2])},
+                                  {face, face_[static_cast<std::size_t>(v0.idx())]});
+  face = spot.face;
+  sample_vertex(mesh, v1, spot);
+  sample_corners(mesh, v1, spot);
+}
 
- private:
-  static bool has_any(const Mesh& mesh) {
-    return mesh.has_halfedge_texcoords1D() || mesh.has_halfedge_texcoords2D() ||
-           mesh.has_halfedge_texcoords3D();
-  }
+template <typename Mesh>
+void SurvivorAttributesT<Mesh>::sample_vertex(Mesh& mesh, VertexHandle v,
+                                              const typename FaceWalk::Spot& spot) const {
+  for_each_of_vertices(*this, mesh, [&](const auto& values, auto /*get*/, auto set) {
+    if (values.empty()) return;  // requested since the snapshot
+    const auto at = [&](std::uint32_t i) { return &values[walk_.vertex(3 * spot.face + i)]; };
+    set(v, interpolated(std::array{at(0), at(1), at(2)}, spot.shares));
+  });
+}
 
-  std::vector<typename Mesh::HalfedgeHandle> corners_;  // those that point to v0 before the collapse
-  CornerCoordinates<typename Mesh::TexCoord1D> one_;
-  CornerCoordinates<typename Mesh::TexCoord2D> two_;
-  CornerCoordinates<typename Mesh::TexCoord3D> three_;
-};
+/// A vertex that has moved is free, so it is on no seam, and all its corners take the same value.
+template <typename Mesh>
+void SurvivorAttributesT<Mesh>::sample_corners(Mesh& mesh, VertexHandle v,
+                                               const typename FaceWalk::Spot& spot) const {
+  for_each_of_corners(*this, mesh, [&](const auto& values, auto /*get*/, auto set) {
+    if (values.empty()) return;
+    const auto at = [&](std::uint32_t i) { return &values[3 * spot.face + i]; };
+    const auto value = interpolated(std::array{at(0), at(1), at(2)}, spot.shares);
+    for (auto h = mesh.vih_iter(v); h.is_valid(); ++h) set(*h, value);
+  });
+}
 
-}  // namespace whittle
+}  // namespace whittle::detail

@@ -2,12 +2,12 @@
 /// From an OpenMesh mesh to the flat arrays that planners work on, and back.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
+#include "whittle/openmesh/points_in_space.hh"
 #include "whittle/surface/IndexedMesh.hh"
-#include "whittle/surface/Surface.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle {
@@ -16,6 +16,7 @@ namespace whittle {
 /// plan can be looked up by handle; deleted faces are left out. \throw InvalidMesh  a face is not a triangle.
 template <typename Mesh>
 IndexedMeshT<typename Mesh::Scalar> to_indexed(const Mesh& mesh) {
+  detail::require_points_in_space<Mesh>();
   IndexedMeshT<typename Mesh::Scalar> out;
   out.points.reserve(mesh.n_vertices());
   out.triangles.reserve(mesh.n_faces());
@@ -46,6 +47,7 @@ IndexedMeshT<typename Mesh::Scalar> to_indexed(const Mesh& mesh) {
 ///         OpenMesh may say a word about them on its `omerr()`.
 template <typename Mesh>
 std::size_t to_openmesh(const IndexedMeshT<typename Mesh::Scalar>& indexed, Mesh& mesh) {
+  detail::require_points_in_space<Mesh>();
   using VertexHandle = typename Mesh::VertexHandle;
   const int first = static_cast<int>(mesh.n_vertices());
   mesh.reserve(mesh.n_vertices() + indexed.points.size(),
@@ -59,42 +61,6 @@ std::size_t to_openmesh(const IndexedMeshT<typename Mesh::Scalar>& indexed, Mesh
     refused += is_degenerate || !mesh.add_face(corner(0), corner(1), corner(2)).is_valid();
   }
   return refused;
-}
-
-/// Whether the faces around a vertex disagree about its texture coordinate. False for a mesh without
-/// half-edge texture coordinates.
-template <typename Mesh>
-bool is_on_seam(const Mesh& mesh, typename Mesh::VertexHandle v) {
-  const auto differs = [&](auto has, auto get) {
-    if (!has) return false;
-    typename Mesh::HalfedgeHandle first;
-    for (auto h = mesh.cvih_iter(v); h.is_valid(); ++h) {
-      if (mesh.is_boundary(*h)) continue;
-      if (!first.is_valid()) first = *h;
-      if (get(*h) != get(first)) return true;
-    }
-    return false;
-  };
-  return differs(mesh.has_halfedge_texcoords1D(), [&](auto h) { return mesh.texcoord1D(h); }) ||
-         differs(mesh.has_halfedge_texcoords2D(), [&](auto h) { return mesh.texcoord2D(h); }) ||
-         differs(mesh.has_halfedge_texcoords3D(), [&](auto h) { return mesh.texcoord3D(h); });
-}
-
-/// What the user said of each vertex: locked, feature; and whether its half-edge texture coordinates differ.
-template <typename Mesh>
-std::vector<std::uint8_t> user_flags(const Mesh& mesh) {
-  std::vector<std::uint8_t> flags(mesh.n_vertices(), 0);
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    const typename Mesh::VertexHandle v(static_cast<int>(i));
-    if (mesh.has_vertex_status()) {
-      const auto& status = mesh.status(v);
-      if (status.deleted()) continue;
-      if (status.locked()) flags[i] |= kLocked;
-      if (status.feature()) flags[i] |= kFeature;
-    }
-    if (is_on_seam(mesh, v)) flags[i] |= kSeam;
-  }
-  return flags;
 }
 
 }  // namespace whittle

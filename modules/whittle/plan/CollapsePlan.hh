@@ -9,12 +9,17 @@
 
 namespace whittle {
 
-/// One half-edge collapse: `from` vanishes into `to`, which then lies at `target`.
+/// One half-edge collapse: `from` vanishes into `to`.
+///
+/// A cluster of n vertices is n - 1 collapses in a row, with one survivor and one target. The survivor lies at
+/// the target once all of them have been executed. As long as some have not, because an executor stops in the
+/// middle or a constraint forbids them, it lies at the centroid of the vertices that have merged; a survivor
+/// that the whole cluster leaves in place does not move.
 struct Collapse {
   std::uint32_t from, to;
-  std::uint32_t faces;  ///< how many vanish with it: two, or one at a boundary
-  float share;          ///< how much of the survivor's attributes comes from `from`, 0..1
-  Eigen::Vector3d target;
+  std::uint32_t faces;     ///< how many vanish with it: two, or one at a boundary
+  std::uint32_t rest;      ///< how many more of its cluster follow; 0 in the last
+  Eigen::Vector3d target;  ///< of the whole cluster
 };
 
 /// How the planning went. A cluster is a set of vertices that become one: three in a fold of a triangle, two in a fold
@@ -36,6 +41,23 @@ struct PlanRecord {
     return *this;
   }
 };
+
+namespace detail {
+
+/// Where the survivor of a cluster lies that has not merged whole: the centroid, updated vertex by vertex.
+/// \param to       where the survivor lies
+/// \param from     where the vertex lay that has merged into it
+/// \param target   of the whole cluster
+/// \param n_merged how many vertices the survivor stands for within the cluster, `from` included; at least 2
+template <typename Real>
+Eigen::Matrix<Real, 3, 1> place_of_part(const Eigen::Matrix<Real, 3, 1>& to,
+                                        const Eigen::Matrix<Real, 3, 1>& from, const Eigen::Vector3d& target,
+                                        std::size_t n_merged) {
+  if (to == target.cast<Real>()) return to;
+  return to + (from - to) / static_cast<Real>(n_merged);
+}
+
+}  // namespace detail
 
 /// An ordered list of half-edge collapses. The place in the list is the rank: executors go through it in
 /// order, and every prefix of it is a valid, coarser mesh. `from` occurs at most once; a survivor may serve

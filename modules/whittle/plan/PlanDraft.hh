@@ -2,7 +2,6 @@
 /// A plan while it is drawn up, and the surface as it will be once the plan so far is executed.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -114,10 +113,6 @@ class PlanDraftT {
     return ++stamp_;
   }
 
-  /// Sets how much of the survivor's attributes comes from each member, in the collapses from `first` on. Two
-  /// members: by the target's place between them. Three: its barycentric coordinates. More: all alike.
-  void share_attributes(Members members, const Eigen::Vector3d& target, std::size_t first);
-
   /// Moves the cluster of `from` over to `to`. Exchanging the links of one vertex of each list joins them,
   /// and exchanging them again parts them.
   void join(std::uint32_t from, std::uint32_t to) {
@@ -150,39 +145,16 @@ auto PlanDraftT<Real>::try_merge(Members members, const Eigen::Vector3d& target)
     const std::uint32_t faces = legal_faces(members[i], to);
     if (faces > 0) {
       join(members[i], to);
-      plan_.collapses.push_back({members[i], to, faces, 0, target});
+      const auto rest = static_cast<std::uint32_t>(members.size() - 1 - i);
+      plan_.collapses.push_back({members[i], to, faces, rest, target});
       continue;
     }
     for (; plan_.collapses.size() > first; plan_.collapses.pop_back()) part(plan_.collapses.back().from, to);
     return Verdict::refused_by_link;
   }
-  share_attributes(members, target, first);
   nodes_[to].position = target.template cast<Real>();
   ++plan_.record.planned;
   return Verdict::accepted;
-}
-
-template <typename Real>
-void PlanDraftT<Real>::share_attributes(Members members, const Eigen::Vector3d& target, std::size_t first) {
-  const auto share = [&](std::size_t i) -> float& { return plan_.collapses[first + i - 1].share; };
-  const auto at = [&](std::size_t i) { return position(members[i]); };
-  if (members.size() == 2) {
-    const Eigen::Vector3d edge = at(1) - at(0);
-    const double squares = edge.squaredNorm();
-    share(1) =
-        squares > 0 ? static_cast<float>(std::clamp((target - at(0)).dot(edge) / squares, 0.0, 1.0)) : 0.5f;
-    return;
-  }
-  for (std::size_t i = 1; i < members.size(); ++i) share(i) = 1 / static_cast<float>(i + 1);
-  if (members.size() != 3) return;
-  const Eigen::Vector3d n = (at(1) - at(0)).cross(at(2) - at(0));
-  const auto area = [&](std::size_t i) {  // of the part opposite member i
-    return std::max(0.0, n.dot((at((i + 1) % 3) - target).cross(at((i + 2) % 3) - target)));
-  };
-  const double a = area(0), b = area(1), c = area(2);
-  if (!(a + b + c > 0)) return;
-  share(1) = a + b > 0 ? static_cast<float>(b / (a + b)) : 0.5f;
-  share(2) = static_cast<float>(c / (a + b + c));
 }
 
 /// The link condition: the only common neighbours of the two ends are the vertices opposite the edge.

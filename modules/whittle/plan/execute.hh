@@ -22,6 +22,30 @@ struct ExecutedT {
   std::vector<bool> survives;              ///< for each old vertex whether it still stands, moved or not
 };
 
+namespace detail {
+
+/// Where the survivor of the last of `n_collapses` lies, which are in the middle of a cluster.
+template <typename Real>
+typename IndexedMeshT<Real>::Point place_of_last_part(const CollapsePlan& plan,
+                                                      const IndexedMeshT<Real>& mesh,
+                                                      std::size_t n_collapses) {
+  std::size_t first = n_collapses - 1;
+  while (first > 0 && plan.collapses[first - 1].rest > 0) --first;
+  const auto place_before = [&](std::uint32_t v) {
+    for (std::size_t i = first; i-- > 0;)
+      if (plan.collapses[i].to == v)
+        return typename IndexedMeshT<Real>::Point(plan.collapses[i].target.template cast<Real>());
+    return mesh.points[v];
+  };
+  typename IndexedMeshT<Real>::Point place = place_before(plan.collapses[first].to);
+  for (std::size_t i = first; i < n_collapses; ++i)
+    place = place_of_part<Real>(place, place_before(plan.collapses[i].from), plan.collapses[i].target,
+                                i - first + 2);
+  return place;
+}
+
+}  // namespace detail
+
 /// Carries out the first `n_collapses` of a plan, all by default. The plan must have been made for this mesh.
 template <typename Real>
 ExecutedT<Real> execute(const CollapsePlan& plan, const IndexedMeshT<Real>& mesh,
@@ -54,6 +78,9 @@ ExecutedT<Real> execute(const CollapsePlan& plan, const IndexedMeshT<Real>& mesh
     const Collapse& collapse = plan.collapses[i];
     out.mesh.points[out.vertex_map[collapse.to]] = collapse.target.template cast<Real>();
   }
+  if (n_collapses > 0 && plan.collapses[n_collapses - 1].rest > 0)
+    out.mesh.points[out.vertex_map[plan.collapses[n_collapses - 1].to]] =
+        detail::place_of_last_part(plan, mesh, n_collapses);
 
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     const auto& old = mesh.triangles[f];

@@ -3,7 +3,10 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
 #include "OpenMeshFixture.hh"
+#include "whittle/LazyDecimaterT.hh"
 #include "whittle/ModVertexDistanceT.hh"
+#include "whittle/SweepDecimaterT.hh"
+#include "whittle/plan/PlanDraft.hh"
 
 // Specialises what the mesh headers declare, so it must come after them.
 #include <OpenMesh/Core/Geometry/EigenVectorT.hh>
@@ -43,6 +46,54 @@ IndexedMeshT<typename M::Scalar> decimated(M& mesh, double distance, double fact
   REQUIRE(decimater.initialize());
   decimater.decimate();
   return to_indexed(mesh);
+}
+
+/// A planner of one cluster.
+struct OneCluster {
+  std::vector<std::uint32_t> members{0, 1, 2};
+  Eigen::Vector3d target{0.1, 0.1, 0};
+  void validate() const {}
+  OneCluster scaled(double) const { return *this; }
+  template <typename Real>
+  CollapsePlan plan(const SurfaceT<Real>& surface) const {
+    PlanDraftT<Real> draft(surface, FlipGuard());
+    REQUIRE(draft.merge(members, target) == PlanDraftT<Real>::Verdict::accepted);
+    return draft.take();
+  }
+};
+template <typename M>
+struct ModOneClusterT : ModPlannedT<M, OneCluster> {
+  DECIMATING_MODULE(ModOneClusterT, M, OneCluster);
+  explicit ModOneClusterT(M& mesh) : ModPlannedT<M, OneCluster>(mesh) {}
+};
+
+/// A binary module that forbids some vertices to vanish.
+template <typename M>
+struct ModForbidT : OpenMesh::Decimater::ModBaseT<M> {
+  DECIMATING_MODULE(ModForbidT, M, Forbid);
+  explicit ModForbidT(M& mesh) : OpenMesh::Decimater::ModBaseT<M>(mesh, true) {}
+  float collapse_priority(const CollapseInfo& ci) override {
+    const bool is_forbidden = std::find(vertices.begin(), vertices.end(), ci.v0.idx()) != vertices.end();
+    return is_forbidden ? float(Base::ILLEGAL_COLLAPSE) : float(Base::LEGAL_COLLAPSE);
+  }
+  std::vector<int> vertices;
+};
+
+/// Where the survivor lies after a cluster was executed but for what is forbidden.
+template <template <typename> class D>
+Mesh::Point survivor(Mesh mesh, const OneCluster& cluster, const std::vector<int>& forbidden,
+                     std::size_t most = 0) {
+  D<Mesh> decimater(mesh);
+  typename ModOneClusterT<Mesh>::Handle one;
+  typename ModForbidT<Mesh>::Handle forbid;
+  decimater.add(one);
+  decimater.add(forbid);
+  decimater.module(one).set_planner(cluster);
+  decimater.module(forbid).vertices = forbidden;
+  REQUIRE(decimater.initialize());
+  const std::size_t all = cluster.members.size() - 1 - forbidden.size();
+  REQUIRE(decimater.decimate(most) == (most ? most : all));
+  return mesh.point(Mesh::VertexHandle(static_cast<int>(cluster.members[0])));
 }
 
 }  // namespace
@@ -191,4 +242,83 @@ TEST_CASE("meshes without anything to do are left alone") {
     CHECK(out.triangles.size() == in.triangles.size());
     CHECK(out.points.size() == in.points.size());
   }
+}
+
+TEMPLATE_TEST_CASE("a cluster of which a part is forbidden leaves its survivor among those that merged", "",
+                   OpenMesh::Decimater::DecimaterT<Mesh>, SweepDecimaterT<Mesh>, LazyDecimaterT<Mesh>) {
+  const auto at = [](const Mesh& mesh, const OneCluster& cluster, const std::vector<int>& forbidden,
+                     std::size_t most = 0) {
+    if constexpr (std::is_same_v<TestType, SweepDecimaterT<Mesh>>)
+      return survivor<SweepDecimaterT>(mesh, cluster, forbidden, most);
+    else if constexpr (std::is_same_v<TestType, LazyDecimaterT<Mesh>>)
+      return survivor<LazyDecimaterT>(mesh, cluster, forbidden, most);
+    else
+      return survivor<OpenMesh::Decimater::DecimaterT>(mesh, cluster, forbidden, most);
+  };
+  using Point = Mesh::Point;
+  Mesh mesh =
+      fixture::to_openmesh<Mesh>(meshes::triangle_in_hexagon({0, 0, 0}, {0.5, 0, 0}, {0, 0.25, 0}, 1));
+  SECTION("three vertices") {
+    const OneCluster cluster;
+    CHECK(at(mesh, cluster, {}) == Point(0.1f, 0.1f, 0));
+    CHECK(at(mesh, cluster, {1}) == Point(0, 0.125f, 0));
+    CHECK(at(mesh, cluster, {2}) == Point(0.25f, 0, 0));
+  }
+  SECTION("four vertices") {
+    mesh = fixture::to_openmesh<Mesh>(meshes::flat_grid(4));
+    const OneCluster cluster{{5, 6, 10, 9}, {1.25, 1.25, 0}};
+    CHECK(at(mesh, cluster, {}) == Point(1.25f, 1.25f, 0));
+    const Point centroid = at(mesh, cluster, {9});  // of (1, 1), (2, 1) and (2, 2)
+    CHECK((centroid - Point(5 / 3.f, 4 / 3.f, 0)).norm() < 1e-6f);
+    CHECK(at(mesh, cluster, {6, 9}) == Point(1.5f, 1.5f, 0));
+  }
+  SECTION("a survivor that the whole cluster leaves in place") {
+    const OneCluster cluster{{0, 1, 2}, {0, 0, 0}};
+    CHECK(at(mesh, cluster, {}) == Point(0, 0, 0));
+    CHECK(at(mesh, cluster, {1}) == Point(0, 0, 0));
+  }
+  SECTION("a decimater that stops in the middle, as execute() does") {
+    const OneCluster cluster;
+    const auto flat = to_indexed(mesh);
+    const auto executed = execute(cluster.plan(SurfaceT<float>(flat)), flat, 1);
+    const auto& p = executed.mesh.points[executed.vertex_map[0]];
+    CHECK(at(mesh, cluster, {}, 1) == Point(0.25f, 0, 0));
+    CHECK(Point(p[0], p[1], p[2]) == Point(0.25f, 0, 0));
+  }
+}
+
+TEST_CASE("what is in the middle of a cluster lies where earlier collapses have left it") {
+  // (0, 1) merge at 1's place first, then 2 and 3 into 0; the second of these is cut off.
+  CollapsePlan plan;
+  plan.collapses = {
+      {1, 0, 2, 0, {1, 0, 0}}, {4, 2, 2, 0, {2, 4, 0}}, {2, 0, 2, 1, {9, 9, 9}}, {3, 0, 2, 0, {9, 9, 9}}};
+  IndexedMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}};
+  CHECK(execute(plan, mesh, 3).mesh.points[0] == Eigen::Vector3d(1.5, 2, 0));
+  CHECK(execute(plan, mesh, 4).mesh.points[0] == Eigen::Vector3d(9, 9, 9));
+}
+
+TEST_CASE("a plan is the same on any number of threads") {
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::shaken(meshes::torus(160, 80), 0.001, 5));
+  const auto points = [&](std::size_t threads) {
+    ModVertexDistanceT<Mesh> ivdd(mesh);
+    ivdd.set_max_distance(0.05);
+    ivdd.set_threads(threads);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
+    for (const Collapse& c : ivdd.plan().collapses) out.emplace_back(c.from, c.to);
+    return out;
+  };
+  const auto one = points(1);
+  CHECK(one.size() > 1000);
+  CHECK(points(3) == one);
+  CHECK(points(0) == one);
+}
+
+TEST_CASE("only points with three coordinates will do") {
+  struct FlatMesh {
+    using Point = OpenMesh::Vec2f;
+  };
+  CHECK(detail::has_points_in_space<Mesh>);
+  CHECK(detail::has_points_in_space<EigenMesh>);
+  CHECK_FALSE(detail::has_points_in_space<FlatMesh>);
 }

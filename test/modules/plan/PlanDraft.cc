@@ -149,81 +149,29 @@ TEST_CASE("the guard's cosine has a range") {
   CHECK_NOTHROW((FlipGuard{0.999}.validate()));
 }
 
-namespace {
-
-/// The shares of the collapses that merge `members` at `target`.
-std::vector<float> shares(const IndexedMesh& mesh, const std::vector<std::uint32_t>& members,
-                          const Eigen::Vector3d& target) {
-  Bench bench(mesh);
-  REQUIRE(bench.draft.merge(members, target) == Verdict::accepted);
-  std::vector<float> out;
-  for (const Collapse& c : bench.draft.take().collapses) out.push_back(c.share);
-  return out;
-}
-
-}  // namespace
-
-TEST_CASE("of two vertices, the target's place between them says how much each counts") {
-  const auto share = [](const Eigen::Vector3d& target) {
-    const std::vector<float> out = shares(meshes::octahedron(), {0, 1}, target);  // (1, 0, 0) and (0, 1, 0)
-    REQUIRE(out.size() == 1);
-    return out[0];
+TEST_CASE("a collapse knows how many of its cluster follow") {
+  const auto rest = [](const IndexedMesh& mesh, const std::vector<std::uint32_t>& members,
+                       const Eigen::Vector3d& target) {
+    Bench bench(mesh);
+    REQUIRE(bench.draft.merge(members, target) == Verdict::accepted);
+    std::vector<std::uint32_t> out;
+    for (const Collapse& c : bench.draft.take().collapses) out.push_back(c.rest);
+    return out;
   };
-  CHECK(share({0.5, 0.5, 0}) == 0.5f);
-  CHECK(share({0.75, 0.25, 0}) == 0.25f);
-  CHECK(share({0.25, 0.75, 0}) == 0.75f);
-  CHECK(share({0.75, 0.25, 3}) == 0.25f);  // beside the edge: its projection
-  CHECK(share({1.25, 0.75, 0}) == 0.25f);  // the same
-  CHECK(share({1, 0, 0}) == 0.f);          // a fan: the survivor stays as it is
-  CHECK(share({0, 1, 0}) == 1.f);
-  CHECK(share({3, -2, 0}) == 0.f);  // beyond the ends
-  CHECK(share({-2, 3, 0}) == 1.f);
+  using Rest = std::vector<std::uint32_t>;
+  CHECK(rest(meshes::octahedron(), {0, 1}, {0.5, 0.5, 0}) == Rest{0});
+  CHECK(rest(meshes::triangle_in_hexagon({0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, 1), {0, 1, 2}, {0.1, 0.1, 0}) ==
+        Rest{1, 0});
+  CHECK(rest(meshes::flat_grid(4), {5, 6, 10, 9}, {1, 1, 0}) == Rest{2, 1, 0});
 }
 
-TEST_CASE("two vertices in one place have equal shares") {
-  IndexedMesh mesh = meshes::octahedron();
-  mesh.points[1] = mesh.points[0];
-  CHECK(shares(mesh, {0, 1}, {1, 0, 0}) == std::vector<float>{0.5f});
-}
-
-TEST_CASE("of three vertices, the barycentric coordinates of the target say how much each counts") {
-  // A first collapse blends 1 into 0, a second one 2 into what came of it.
-  const auto share = [](double x, double y, double z = 0) {
-    return shares(meshes::triangle_in_hexagon({0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, 1), {0, 1, 2}, {x, y, z});
-  };
-  using Shares = std::vector<float>;
-  CHECK(share(0.125, 0.125) == Shares{1.f / 3, 0.25f});  // 1/2, 1/4, 1/4
-  CHECK(share(0.25, 0.125) == Shares{2.f / 3, 0.25f});   // 1/4, 1/2, 1/4
-  CHECK(share(0.125, 0.25) == Shares{0.5f, 0.5f});       // 1/4, 1/4, 1/2
-  CHECK(share(0.25, 0) == Shares{0.5f, 0});              // the middle of 0 1
-  CHECK(share(0.25, 0.25) == Shares{1, 0.5f});           // the middle of 1 2
-  CHECK(share(0, 0) == Shares{0, 0});
-  CHECK(share(0.5, 0) == Shares{1, 0});
-  CHECK(share(0, 0.5)[1] == 1);
-  CHECK(share(0.125, 0.125, 2) == share(0.125, 0.125));  // off the plane: its projection
-  CHECK(share(0.25, -0.25) == Shares{1.f / 3, 0});       // outside: 1, 1/2, -1/2 become 2/3, 1/3, 0
-}
-
-TEST_CASE("three collinear vertices, and more than three, have equal shares") {
-  const IndexedMesh line = meshes::triangle_in_hexagon({0, 0, 0}, {0.25, 0, 0}, {0.5, 0, 0}, 1);
-  CHECK(shares(line, {0, 1, 2}, {0.5, 0, 0}) == std::vector<float>{0.5f, 1.f / 3});
-  CHECK(shares(meshes::flat_grid(4), {5, 6, 10, 9}, {1, 1, 0}) == std::vector<float>{0.5f, 1.f / 3, 0.25f});
-}
-
-TEST_CASE("the share goes by where a survivor lies, not by where it began") {
-  Bench bench(meshes::flat_grid(5));
-  REQUIRE(bench.draft.merge({12, 13}, {3, 2, 0}) == Verdict::accepted);  // 12 has moved from x = 2 to 3
-  REQUIRE(bench.draft.merge({12, 11}, {2.5, 2, 0}) == Verdict::accepted);
-  CHECK(bench.draft.take().collapses[1].share == 0.25f);
-}
-
-TEST_CASE("a refused cluster leaves no collapse and no share behind") {
+TEST_CASE("a refused cluster leaves no collapse behind") {
   Bench bench(meshes::octahedron());
   REQUIRE(bench.edge(0, 1) == Verdict::accepted);
   REQUIRE(bench.draft.merge({4, 0, 2}, {0, 0, 0.5}) == Verdict::refused_by_link);
   const CollapsePlan plan = bench.draft.take();
   REQUIRE(plan.collapses.size() == 1);
-  CHECK(plan.collapses[0].share == 0.5f);
+  CHECK(plan.collapses[0].rest == 0);
   CHECK(plan.record.planned == 1);
 }
 

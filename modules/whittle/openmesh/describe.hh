@@ -1,0 +1,141 @@
+/// \file
+/// What a planner is told of an OpenMesh mesh besides its points and faces.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "whittle/openmesh/components.hh"
+#include "whittle/surface/Surface.hh"
+
+namespace whittle::detail {
+
+/// Calls `visit(get)` for each kind of half-edge texture coordinate that the mesh has.
+template <typename Mesh, typename Visit>
+void for_each_corner_kind(const Mesh& mesh, Visit visit) {
+  using HalfedgeHandle = typename Mesh::HalfedgeHandle;
+  if (mesh.has_halfedge_texcoords1D()) visit([&](HalfedgeHandle h) { return mesh.texcoord1D(h); });
+  if (mesh.has_halfedge_texcoords2D()) visit([&](HalfedgeHandle h) { return mesh.texcoord2D(h); });
+  if (mesh.has_halfedge_texcoords3D()) visit([&](HalfedgeHandle h) { return mesh.texcoord3D(h); });
+}
+
+template <typename Mesh>
+bool has_corner_attributes(const Mesh& mesh) {
+  return mesh.has_halfedge_texcoords1D() || mesh.has_halfedge_texcoords2D() ||
+         mesh.has_halfedge_texcoords3D();
+}
+
+/// Whether the faces around a vertex disagree about its texture coordinate. False for a mesh without
+/// half-edge texture coordinates.
+template <typename Mesh>
+bool is_on_seam(const Mesh& mesh, typename Mesh::VertexHandle v) {
+  bool differs = false;
+  for_each_corner_kind(mesh, [&](auto get) {
+    typename Mesh::HalfedgeHandle first;
+    for (auto h = mesh.cvih_iter(v); h.is_valid() && !differs; ++h) {
+      if (mesh.is_boundary(*h)) continue;
+      if (!first.is_valid()) first = *h;
+      differs = get(*h) != get(first);
+    }
+  });
+  return differs;
+}
+
+/// Whether the two faces at an edge disagree about the texture coordinate of either of its ends. False at the
+/// boundary.
+template <typename Mesh>
+bool is_seam(const Mesh& mesh, typename Mesh::HalfedgeHandle h) {
+  const auto o = mesh.opposite_halfedge_handle(h);
+  if (mesh.is_boundary(h) || mesh.is_boundary(o)) return false;
+  bool differs = false;
+  for_each_corner_kind(mesh, [&](auto get) {
+    differs =
+        differs || get(h) != get(mesh.prev_halfedge_handle(o)) || get(o) != get(mesh.prev_halfedge_handle(h));
+  });
+  return differs;
+}
+
+/// What the user has set for each vertex: locked, feature; and whether it is on a seam of half-edge texture
+/// coordinates, the end of one included, where the corners agree.
+template <typename Mesh>
+std::vector<std::uint8_t> user_flags(const Mesh& mesh) {
+  const std::size_t n = mesh.n_vertices();
+  std::vector<std::uint8_t> flags(n, 0);
+  const bool has_status = mesh.has_vertex_status(), has_corners = has_corner_attributes(mesh);
+  if (!has_status && !has_corners) return flags;
+  for (std::size_t i = 0; i < n; ++i) {
+    const typename Mesh::VertexHandle v(static_cast<int>(i));
+    if (has_status) {
+      const auto& status = mesh.status(v);
+      if (status.deleted()) continue;
+      if (status.locked()) flags[i] |= kLocked;
+      if (status.feature()) flags[i] |= kFeature;
+    }
+    if (!has_corners) continue;
+    bool on_seam = is_on_seam(mesh, v);
+    for (auto h = mesh.cvoh_iter(v); h.is_valid() && !on_seam; ++h) on_seam = is_seam(mesh, *h);
+    if (on_seam) flags[i] |= kSeam;
+  }
+  return flags;
+}
+
+/// Adds a mesh's normals, colours and texture coordinates, of vertices and of half-edges, to the values that
+/// a planner lets count, times their weights; only those that the mesh has. A vertex whose corners disagree
+/// has no single value: not a number.
+template <typename Mesh>
+void add_values(const Mesh& mesh, const ValueWeights& weights, SurfaceExtras& extras) {
+  using VertexHandle = typename Mesh::VertexHandle;
+  const std::size_t n = mesh.n_vertices();
+  /// `get(v)` is the value of a vertex; `has(v)` whether it has one.
+  const auto add = [&](double weight, auto get, auto has) {
+    using Value = std::decay_t<decltype(get(VertexHandle(0)))>;
+    using Component = typename ComponentsT<Value>::Scalar;
+    constexpr std::size_t size = ComponentsT<Value>::size;
+    const double full = std::is_integral_v<Component> ? double(std::numeric_limits<Component>::max()) : 1;
+    const std::size_t old = extras.n_values, all = old + size;
+    std::vector<float> values(all * n, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < n; ++i) {
+      const VertexHandle v(static_cast<int>(i));
+      for (std::size_t k = 0; k < old; ++k) values[all * i + k] = extras.values[old * i + k];
+      if (!has(v)) continue;
+      const Value value = get(v);
+      for (std::uint32_t k = 0; k < size; ++k)
+        values[all * i + old + k] = static_cast<float>(weight * double(component(value, k)) / full);
+    }
+    extras.values = std::move(values);
+    extras.n_values = all;
+  };
+  const auto always = [](VertexHandle) { return true; };
+  if (weights.normals > 0 && mesh.has_vertex_normals())
+    add(
+        weights.normals, [&](VertexHandle v) { return mesh.normal(v); }, always);
+  if (weights.colours > 0 && mesh.has_vertex_colors())
+    add(
+        weights.colours, [&](VertexHandle v) { return mesh.color(v); }, always);
+  if (!(weights.texture > 0)) return;
+  if (mesh.has_vertex_texcoords1D())
+    add(
+        weights.texture, [&](VertexHandle v) { return mesh.texcoord1D(v); }, always);
+  if (mesh.has_vertex_texcoords2D())
+    add(
+        weights.texture, [&](VertexHandle v) { return mesh.texcoord2D(v); }, always);
+  if (mesh.has_vertex_texcoords3D())
+    add(
+        weights.texture, [&](VertexHandle v) { return mesh.texcoord3D(v); }, always);
+  const auto a_corner = [&](VertexHandle v) {
+    for (auto h = mesh.cvih_iter(v); h.is_valid(); ++h)
+      if (!mesh.is_boundary(*h)) return typename Mesh::HalfedgeHandle(*h);
+    return typename Mesh::HalfedgeHandle();
+  };
+  for_each_corner_kind(mesh, [&](auto get) {
+    add(
+        weights.texture, [&](VertexHandle v) { return get(a_corner(v)); },
+        [&](VertexHandle v) { return a_corner(v).is_valid() && !is_on_seam(mesh, v); });
+  });
+}
+
+}  // namespace whittle::detail

@@ -1,0 +1,21 @@
+/// \file
+/// What Whittle demands of a mesh's traits.
+#pragma once
+
+#include <OpenMesh/Core/Utils/vector_traits.hh>
+
+namespace whittle::detail {
+
+template <typename Mesh>
+constexpr bool has_points_in_space = OpenMesh::vector_traits<typename Mesh::Point>::size_ == 3;
+
+/// Refuses at compile time a mesh whose points do not have three coordinates.
+template <typename Mesh>
+constexpr void require_points_in_space() {
+  static_assert(
+      has_points_in_space<Mesh>,
+      "Whittle needs points with three coordinates: in the mesh's traits, let Point be a vector such "
+      "as OpenMesh::Vec3f or OpenMesh::Vec3d");
+}
+
+}  // namespace whittle::detail
