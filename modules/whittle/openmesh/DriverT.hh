@@ -120,7 +120,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   }
 
   Mesh& mesh_;
-  HalfedgeCollapseT<Mesh> connectivity_;
+  detail::HalfedgeCollapseT<Mesh> connectivity_;
   RunReport report_;
 
  private:

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace whittle {
+namespace whittle::detail {
 
 /// The legality test and the collapse of OpenMesh's decimaters, for triangle meshes, without a call into
 /// OpenMesh's core library, which as Debian ships it checks every handle and every property on the way. Both
@@ -172,4 +172,4 @@ void HalfedgeCollapseT<Mesh>::collapse(HalfedgeHandle h) {
   point_to(v1, right ? opposite(op) : hn);
 }
 
-}  // namespace whittle
+}  // namespace whittle::detail

@@ -63,7 +63,7 @@ TEST_CASE("half-edges collapse as OpenMesh collapses them, and just where it fin
       for (const auto e : theirs.edges()) theirs.status(e).set_feature(seed > 4 && random() % 2 == 0);
       Mesh ours = theirs;
       Legality is_legal(theirs);
-      HalfedgeCollapseT<Mesh> connectivity(ours);
+      detail::HalfedgeCollapseT<Mesh> connectivity(ours);
 
       for (bool any = true; any;) {
         std::vector<Mesh::HalfedgeHandle> legal;
@@ -86,7 +86,7 @@ TEST_CASE("half-edges collapse as OpenMesh collapses them, and just where it fin
 
 TEST_CASE("vertices that share no edge have no half-edge between them") {
   Mesh mesh = prepared(meshes::octahedron());
-  const HalfedgeCollapseT<Mesh> connectivity(mesh);
+  const detail::HalfedgeCollapseT<Mesh> connectivity(mesh);
   std::size_t found = 0;
   for (const auto a : mesh.vertices())
     for (const auto b : mesh.vertices()) {
