@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
-# The whole check: packages, test models, formatting, then build and tests, plain and under the sanitizers.
+# The whole check: packages, test models, formatting, clang-tidy, then build and tests, plain and under the sanitizers.
 #   test/run.sh [--no-setup] [--quick|--thread]
 # --no-setup  leave out bootstrap.sh and the download of the bunny
-# --quick     leave out the sanitizers
+# --quick     leave out clang-tidy and the sanitizers
 # --thread    under the thread sanitizer instead, which the plain run leaves out
 set -euo pipefail
 
 setup=1
-presets=(release asan+ubsan)
+presets=(ci asan+ubsan)
+tidy=1
 for option in "$@"; do
   case $option in
     --no-setup) setup=0 ;;
-    --quick) presets=(release) ;;
-    --thread) presets=(tsan) ;;
+    --quick) presets=(ci) tidy=0 ;;
+    --thread) presets=(tsan) tidy=0 ;;
     *)
       echo "usage: test/run.sh [--no-setup] [--quick|--thread]" >&2
       exit 2
@@ -23,14 +24,19 @@ done
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 step="setup"
 trap 'result=$?; ((result == 0)) || echo "test/run.sh: FAILED in: $step" >&2' EXIT
+begin() {
+  step=$1
+  printf 'test/run.sh: %d min %02d s: %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$step"
+}
 
 note=""
 if ((setup)); then
+  begin setup
   ./bootstrap.sh
   assets/fetch.sh bunny || note=" (without the bunny: the tests that need it were skipped)"
 fi
 
-step="formatting"
+begin formatting
 mapfile -d '' -t sources < <(git ls-files -z --cached --others --exclude-standard -- \
   'modules/*.hh' 'modules/*.cc' 'apps/*.hh' 'apps/*.cc' 'bench/*.hh' 'bench/*.cc' 'test/*.hh' 'test/*.cc')
 existing=()
@@ -40,13 +46,21 @@ done
 clang-format --dry-run --Werror "${existing[@]}"
 echo "test/run.sh: ${#existing[@]} sources are formatted"
 
+if ((tidy)); then
+  begin clang-tidy
+  test/tidy.sh
+fi
+
 for preset in "${presets[@]}"; do
-  step="$preset: configure"
+  begin "$preset: configure"
   cmake --preset "$preset"
-  step="$preset: build"
+  begin "$preset: build"
   cmake --build --preset "$preset"
-  step="$preset: tests"
+  begin "$preset: tests"
   ctest --preset "$preset" -j "$(nproc)"
 done
 
-echo "test/run.sh: all passed: formatting, ${presets[*]}$note"
+begin "end"
+checked="formatting"
+((tidy)) && checked+=", clang-tidy"
+echo "test/run.sh: all passed: $checked, ${presets[*]}$note"

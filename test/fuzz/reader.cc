@@ -1,5 +1,5 @@
 /// \file
-/// libFuzzer's entry to one reader: WHITTLE_FUZZ_FORMAT names its format.
+/// libFuzzer's entry to the reader of one format.
 ///
 /// Whatever the bytes are, a Fault comes or a mesh that is sound; repaired it is manifold; and what is
 /// written of it reads back.
@@ -11,13 +11,14 @@
 #include "files/Fault.hh"
 #include "files/formats.hh"
 #include "files/manifold.hh"
+#include "fuzz/format.hh"
 #include "sound.hh"
 
 namespace {
 
 using namespace whittle::files;
 
-constexpr Format format = Format::WHITTLE_FUZZ_FORMAT;
+using whittle::fuzz::format;
 
 void require(bool holds, const char* what) {
   if (holds) return;

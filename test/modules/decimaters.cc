@@ -112,7 +112,7 @@ Mesh start() {
   return mesh;
 }
 
-std::size_t living(const Mesh& mesh) {
+std::size_t n_living(const Mesh& mesh) {
   std::size_t n = 0;
   for (const auto v : mesh.all_vertices()) n += !mesh.status(v).deleted();
   return n;
@@ -135,7 +135,7 @@ void check_all() {
     for (int constraint = 0; constraint < kConstraints; ++constraint) {
       INFO("module " << module << ", constraint " << constraint);
       Mesh mesh = start();
-      const std::size_t before = living(mesh);
+      const std::size_t before = n_living(mesh);
       D decimater(mesh);
       PlannedModule& planned = add_module(decimater, module);
       add_constraint(decimater, constraint);
@@ -150,7 +150,7 @@ void check_all() {
       // collapses.
       if (constraint != kRoundness) CHECK(done > 0);
       CHECK(done <= planned_collapses);
-      CHECK(living(mesh) == before - done);
+      CHECK(n_living(mesh) == before - done);
       check_sound(mesh);
     }
 }
@@ -172,8 +172,8 @@ void check_targets() {
       to_vertices.decimate_to(520);
       to_faces.decimate_to_faces(0, 1040);
     }
-    CHECK(living(vertices) == 520);
-    CHECK(living(faces) == 520);
+    CHECK(n_living(vertices) == 520);
+    CHECK(n_living(faces) == 520);
   }
 }
 

@@ -154,7 +154,7 @@ inline void Part::work(Corner c, const Placement& placement, std::size_t dearest
     for (const Corner at : unqueued)
       if (at != kNoCorner) enqueue(at, queue_.bucket());  // placed when it is taken
   } else if (queue_.bucket() + 1 < BucketQueue::kBuckets) {
-    enqueue(c, queue_.bucket() + 4 * BucketQueue::kBucketsPerOctave);  // it may become legal later
+    enqueue(c, queue_.bucket() + std::size_t{4} * BucketQueue::kBucketsPerOctave);  // it may become legal later
   } else {
     refused.refused_by_link += verdict == Verdict::breaks_link;
     refused.refused_by_flip_guard += verdict == Verdict::turns_face;

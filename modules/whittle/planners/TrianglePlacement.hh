@@ -29,7 +29,7 @@ Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint3
                       TrianglePlacement placement) {
   const Eigen::Vector3d a = surface.point(t[0]), b = surface.point(t[1]), c = surface.point(t[2]);
   if (placement == TrianglePlacement::circumcenter) return detail::circumcenter(a, b, c);
-  const Eigen::Vector3d center = detail::enclosing_center(a, b, c);
+  Eigen::Vector3d center = detail::enclosing_center(a, b, c);
   if (placement == TrianglePlacement::enclosing) return center;
   const double radius = std::max({(a - center).norm(), (b - center).norm(), (c - center).norm()});
   return PlaneQuadric(surface, t, center).best(radius);
@@ -39,7 +39,8 @@ Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint3
 template <typename Real>
 Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint32_t, 2>& edge,
                       TrianglePlacement placement) {
-  const Eigen::Vector3d a = surface.point(edge[0]), b = surface.point(edge[1]), middle = (a + b) / 2;
+  const Eigen::Vector3d a = surface.point(edge[0]), b = surface.point(edge[1]);
+  Eigen::Vector3d middle = (a + b) / 2;
   if (placement != TrianglePlacement::quadric || surface.is_boundary(edge[0])) return middle;
   return PlaneQuadric(surface, edge, middle).best((b - a).norm() / 2);
 }

@@ -19,14 +19,14 @@ namespace {
 struct Nothing {
   std::uint64_t eight_bytes = 0;
 };
-using CornerTable = CornerTableT<Nothing>;
+using Corners = CornerTableT<Nothing>;
 
-CornerTable table_of(const IndexedMesh& mesh) {
+Corners table_of(const IndexedMesh& mesh) {
   Crew crew(2);
   return {mesh.triangles, mesh.points.size(), crew};
 }
 
-std::vector<Rings::Triangle> alive(const CornerTable& table) {
+std::vector<Rings::Triangle> alive(const Corners& table) {
   std::vector<Rings::Triangle> out;
   for (std::size_t f = 0; f < table.n_faces(); ++f)
     if (!table.is_dead(corner_of(f))) out.push_back(table.face(corner_of(f)).vertex);
@@ -34,7 +34,7 @@ std::vector<Rings::Triangle> alive(const CornerTable& table) {
 }
 
 /// The table's neighbours, and the fans that it walks, are those of its living faces.
-void check_consistent(const CornerTable& table, std::size_t n_vertices) {
+void check_consistent(const Corners& table, std::size_t n_vertices) {
   Crew alone(1);
   const Rings rings(alive(table), n_vertices, false, alone);
   for (std::size_t f = 0; f < table.n_faces(); ++f)
@@ -93,7 +93,7 @@ TEST_CASE("a corner table follows any legal collapses") {
        {meshes::torus(8, 6), meshes::flat_grid(6), meshes::strip(6, 1.0), meshes::octahedron(),
         meshes::cone(7, 1.0), meshes::riddled(meshes::torus(12, 8), 12, 5)}) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
-      CornerTable table = table_of(mesh);
+      Corners table = table_of(mesh);
       check_consistent(table, mesh.points.size());
       std::mt19937 random(seed);
       for (int i = 0; i < 300; ++i) {

@@ -13,7 +13,7 @@ using whittle::mq::PackedNormal;
 
 namespace {
 
-Vector3f lane(const FourVectors& v, std::size_t i) {
+Vector3f in_lane(const FourVectors& v, std::size_t i) {
   const auto k = static_cast<Eigen::Index>(i);
   return {v.x()[k], v.y()[k], v.z()[k]};
 }
@@ -33,11 +33,11 @@ TEST_CASE("a packed normal is good to a fifth of a degree") {
     }
     const FourVectors unpacked = PackedNormal::unpacked(bits);
     for (std::size_t i = 0; i < 4; ++i) {
-      const Vector3f v = lane(unpacked, i) / PackedNormal::kLength;
+      const Vector3f v = in_lane(unpacked, i) / PackedNormal::kLength;
       CHECK((v - normals[i]).norm() < 0.0035f);
       CHECK(PackedNormal(normals[i]).bits() != 0);
     }
   }
   CHECK(PackedNormal().bits() == 0);
-  CHECK(lane(PackedNormal::unpacked(Eigen::Array<std::uint32_t, 4, 1>::Zero()), 2).isZero());
+  CHECK(in_lane(PackedNormal::unpacked(Eigen::Array<std::uint32_t, 4, 1>::Zero()), 2).isZero());
 }
