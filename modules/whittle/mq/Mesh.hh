@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "whittle/mq/Bound.hh"
+#include "whittle/mq/Corner.hh"
 #include "whittle/mq/FaceNotes.hh"
 #include "whittle/mq/Partition.hh"
 #include "whittle/mq/SymmetricMatrix.hh"

@@ -1,5 +1,5 @@
 /// \file
-/// The plainest triangle mesh: points and triples of point indices.
+/// A triangle mesh as flat arrays: points, and triples of point indices.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace whittle {
 /// Points and triangles in flat arrays.
 ///
 /// Triangles are counter-clockwise seen from outside and hold indices into `points`. Any triangle soup is
-/// allowed; what a planner cannot use (degenerate or non-manifold places) it leaves alone.
+/// allowed; planners leave alone what they cannot use, such as degenerate or non-manifold places.
 /// \tparam Real  float or double, the precision of the coordinates.
 template <typename Real>
 struct IndexedMeshT {

@@ -33,14 +33,14 @@ enum class Boundary {
   merge  ///< they may merge with one another along the boundary, never with inner vertices
 };
 
-/// As what length, in model units, a difference of 1 counts beside the shape; 0: not at all. Of normals 1 is
-/// 60 degrees, of colours from black to full.
+/// The length, in model units, that a difference of 1 counts as beside the shape; 0: differences do not
+/// count. Between normals a difference of 1 is 60 degrees, between colours black to full.
 struct ValueWeights {
   double normals = 0, colours = 0, texture = 0;
   bool any() const { return normals > 0 || colours > 0 || texture > 0; }
 };
 
-/// What else is known of a mesh; every part may be empty.
+/// What a planner may know beside the mesh; every member may be empty.
 struct SurfaceExtras {
   static constexpr std::size_t kMostValues = 12;
   std::vector<std::uint8_t> flags;  ///< for each vertex: kLocked, kFeature, kSeam
@@ -49,9 +49,9 @@ struct SurfaceExtras {
   std::vector<float> tolerance;
   /// For each face the normal that the flip guard judges it by, of any length; its own where this is empty.
   std::vector<Eigen::Vector3d> reference_normals;
-  /// For each vertex so many values, for mq, which lets them count beside the shape: normals, colours,
-  /// texture coordinates, each times the length, in model units, that a difference of 1 is to count as. Not a
-  /// number: the vertex has no single value, as on a seam.
+  /// For each vertex `n_values` numbers that mq counts beside the shape: normals, colours, texture
+  /// coordinates, each times the length, in model units, that a difference of 1 counts as. NaN: the vertex
+  /// has no single value, as on a seam.
   std::vector<float> values = {};
   std::size_t n_values = 0;  ///< for each vertex, at most `kMostValues`
 };
@@ -67,7 +67,10 @@ SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
   const auto fits = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
   if (!fits(extras.flags.size(), n_vertices) || !fits(extras.tolerance.size(), n_vertices) ||
       !fits(extras.reference_normals.size(), n_faces) || extras.values.size() != extras.n_values * n_vertices)
-    throw InvalidParameter("flags, tolerances, normals or values do not have the size of the mesh");
+    throw InvalidParameter(
+        "flags, tolerances and values must be given for each vertex, or not at all, and reference normals "
+        "for "
+        "each face");
   if (extras.n_values > SurfaceExtras::kMostValues)
     throw InvalidParameter("a vertex has more than " + std::to_string(SurfaceExtras::kMostValues) +
                            " values");
