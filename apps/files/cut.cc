@@ -15,11 +15,11 @@ namespace {
 
 using Triangles = std::vector<IndexedMesh::Triangle>;
 
-constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+constexpr std::uint32_t unmated = static_cast<std::uint32_t>(-1);
 
-/// For each side, named by its corner, the one that it stays joined with, or `none`.
+/// For each side, named by its corner, the one that it stays joined with, or `unmated`.
 std::vector<std::uint32_t> pair_sides(const Triangles& triangles, std::size_t vertices) {
-  std::vector<std::uint32_t> mates(3 * triangles.size(), none);
+  std::vector<std::uint32_t> mates(3 * triangles.size(), unmated);
   std::vector<std::uint32_t> up, down;
   for_each_edge(sides_by_edge(triangles, vertices), [&](const Side* begin, const Side* end) {
     up.clear();
@@ -42,7 +42,7 @@ struct Fans {
 Fans find_fans(const Triangles& triangles, std::size_t vertices, const std::vector<std::uint32_t>& mates) {
   measure::UnionFind corners(3 * triangles.size());
   for (std::uint32_t corner = 0; corner < mates.size(); ++corner) {
-    if (mates[corner] == none) continue;
+    if (mates[corner] == unmated) continue;
     corners.join(corner, next_corner(mates[corner]));
     corners.join(next_corner(corner), mates[corner]);
   }
@@ -71,8 +71,8 @@ bool part_where_doubled(const Fans& fans, std::size_t vertices, std::vector<std:
   const auto part = [&](std::uint32_t face) {
     any = true;
     for (std::uint32_t corner = 3 * face; corner < 3 * face + 3; ++corner) {
-      const std::uint32_t mate = std::exchange(mates[corner], none);
-      if (mate != none) mates[mate] = none;
+      const std::uint32_t mate = std::exchange(mates[corner], unmated);
+      if (mate != unmated) mates[mate] = unmated;
     }
   };
   const std::size_t all = vertices + fans.originals.size();

@@ -19,7 +19,7 @@ using om::ChunkHeader;
 using om::Entity;
 using om::Type;
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();  // -1 when read as signed
+constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();  // -1 when read as signed
 
 /// The half-edges of a manifold mesh: two for each edge, first the one towards the higher vertex.
 struct Halfedges {
@@ -31,27 +31,27 @@ struct Halfedges {
 Halfedges connect(const IndexedMesh& mesh, const std::vector<Side>& sides) {
   Halfedges all;
   all.of_corner.resize(sides.size());
-  all.of_vertex.assign(mesh.points.size(), none);
+  all.of_vertex.assign(mesh.points.size(), no_index);
   for_each_edge(sides, [&](const Side* begin, const Side* end) {
     const auto first = static_cast<std::uint32_t>(all.to.size());
     all.to.insert(all.to.end(), {begin->high, begin->low});
-    all.face.insert(all.face.end(), {none, none});
+    all.face.insert(all.face.end(), {no_index, no_index});
     for (const Side* side = begin; side < end; ++side) {
       const std::uint32_t half = first + (rises(mesh.triangles, *side) ? 0 : 1);
       all.face[half] = side->corner / 3;
       all.of_corner[side->corner] = half;
     }
   });
-  all.next.assign(all.to.size(), none);
+  all.next.assign(all.to.size(), no_index);
   for (std::uint32_t corner = 0; corner < all.of_corner.size(); ++corner) {
     const std::uint32_t half = all.of_corner[corner];
     all.next[half] = all.of_corner[next_corner(corner)];
     all.of_vertex[all.to[half ^ 1U]] = half;
   }
   for (std::uint32_t half = 0; half < all.to.size(); ++half)
-    if (all.face[half] == none) all.of_vertex[all.to[half ^ 1U]] = half;
+    if (all.face[half] == no_index) all.of_vertex[all.to[half ^ 1U]] = half;
   for (std::uint32_t half = 0; half < all.to.size(); ++half)
-    if (all.face[half] == none) all.next[half] = all.of_vertex[all.to[half]];
+    if (all.face[half] == no_index) all.next[half] = all.of_vertex[all.to[half]];
   return all;
 }
 
@@ -145,13 +145,13 @@ class OmWriter {
   /// A half-edge has the value of the corner that it leads to.
   void write_texture_of_halfedges(const Halfedges& all, const Attribute& texture) {
     begin({false, Entity::halfedge, Type::texture, true, true, 2, 0});
-    std::vector<std::uint32_t> value(all.to.size(), none);
+    std::vector<std::uint32_t> value(all.to.size(), no_index);
     for (std::uint32_t corner = 0; corner < all.of_corner.size(); ++corner) {
       const std::uint32_t end = next_corner(corner);
       value[all.of_corner[corner]] = texture.corners[end / 3][end % 3];
     }
     for (const std::uint32_t index : value) {
-      if (index != none) {
+      if (index != no_index) {
         write_texture(texture, index);
       } else {
         append_little(bytes_, 0.0F);

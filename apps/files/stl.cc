@@ -17,9 +17,9 @@
 namespace whittle::files {
 namespace {
 
-constexpr std::size_t header_bytes = 80;
-constexpr std::size_t preamble_bytes = header_bytes + 4;  // and the count
-constexpr std::size_t triangle_bytes = 50;                // normal, three corners, attribute
+constexpr std::size_t stl_header_bytes = 80;
+constexpr std::size_t preamble_bytes = stl_header_bytes + 4;  // and the count
+constexpr std::size_t triangle_bytes = 50;                    // normal, three corners, attribute
 
 using Point = IndexedMesh::Point;
 
@@ -82,7 +82,7 @@ class TextStl {
 };
 
 std::uint32_t declared_triangles(std::string_view bytes) {
-  return load<std::uint32_t>(bytes.data() + header_bytes, ByteOrder::little);
+  return load<std::uint32_t>(bytes.data() + stl_header_bytes, ByteOrder::little);
 }
 
 void read_binary(std::string_view bytes, MeshBuilder& builder) {
@@ -147,7 +147,7 @@ std::string binary_stl(const IndexedMesh& mesh) {
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
     throw Fault("binary STL cannot hold more than 4294967295 triangles");
   std::string bytes = "binary STL, written by whittle";
-  bytes.resize(header_bytes, '\0');
+  bytes.resize(stl_header_bytes, '\0');
   bytes.reserve(preamble_bytes + mesh.triangles.size() * triangle_bytes);
   append_little(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for_each_facet(mesh, [&](const Point& normal, const Point& a, const Point& b, const Point& c) {

@@ -1,8 +1,11 @@
 /// \file
-/// What Whittle demands of a mesh's traits.
+/// What Whittle demands of OpenMesh and of a mesh's traits.
 #pragma once
 
+#include <OpenMesh/Core/System/config.h>
 #include <OpenMesh/Core/Utils/vector_traits.hh>
+
+static_assert(OM_VERSION >= 0x90000, "Whittle needs OpenMesh 9 or newer");
 
 namespace whittle::detail {
 
