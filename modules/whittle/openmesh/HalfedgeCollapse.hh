@@ -58,10 +58,10 @@ class HalfedgeCollapseT {
     const HalfedgeHandle h = mesh_.halfedge_handle(v);
     return !h.is_valid() || is_open(h);
   }
-  bool has_valence_3(VertexHandle v) const {
-    const HalfedgeHandle h = mesh_.halfedge_handle(v);
-    const HalfedgeHandle third = rotated(rotated(h));
-    return third != h && rotated(h) != h && rotated(third) == h;
+  /// Whether the vertex that `h` points to has three edges: those of `h` and of the next one, and one that is
+  /// reached from both. Needs no half-edge that is farther away.
+  bool points_to_valence_3(HalfedgeHandle h) const {
+    return rotated(next(h)) == opposite(mesh_.prev_halfedge_handle(opposite(h)));
   }
   bool rings_meet_elsewhere(VertexHandle v0, VertexHandle v1, VertexHandle vl, VertexHandle vr);
 
@@ -103,7 +103,7 @@ bool HalfedgeCollapseT<Mesh>::is_legal(HalfedgeHandle h) {
   if (is_boundary(v0) && (!is_boundary(v1) || (left && right))) return false;
   if (rotated(rotated(h)) == h) return false;  // only one face at v0
   if (rings_meet_elsewhere(v0, v1, vl, vr)) return false;
-  return !(left && right && has_valence_3(vl) && has_valence_3(vr) && find(vl, vr).is_valid());
+  return !(left && right && points_to_valence_3(hn) && points_to_valence_3(on) && find(vl, vr).is_valid());
 }
 
 template <typename Mesh>
