@@ -8,6 +8,7 @@
 
 #include "batch/Claim.hh"
 #include "files/MeshFile.hh"
+#include "text/utc.hh"
 #include "version/Version.hh"
 
 namespace whittle::batch {
@@ -26,15 +27,6 @@ Json read(const fs::path& path) {
 /// A file name need not be UTF-8; a replacement character is better than no log.
 std::string line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string now_utc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
 }
 
 void fill_counts(const Json& report, Outcome& outcome) {
@@ -94,7 +86,7 @@ void Memory::log(const Item& item, const Outcome& outcome) const {
                 {"seconds", outcome.seconds},
                 {"message", outcome.message},
                 {"process", process_name()},
-                {"time_utc", now_utc()}})
+                {"time_utc", text::now_utc()}})
        << std::flush;
 }
 

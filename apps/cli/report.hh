@@ -1,23 +1,15 @@
 /// \file
-/// What the commands print and write as JSON. Every figure's name ends with its unit; plain names are counts.
+/// What the commands print, and where they write JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "files/MeshFile.hh"
-#include "measure/Distance.hh"
-#include "measure/MeshFacts.hh"
-#include "recipe/Recipe.hh"
+#include "figures/json.hh"
 
 namespace whittle::cli {
 
-using Json = nlohmann::ordered_json;
-
-Json to_json(const measure::MeshFacts& facts);
-Json to_json(const measure::Distance& distance);
-Json to_json(const recipe::StageResult& stage);
-Json to_json(const files::ReadReport& report);
+using figures::Json;
+using figures::to_json;
 
 /// Where `--json` goes: a file, `-` for standard output, or empty for nowhere.
 void check_json_target(const std::string& target);

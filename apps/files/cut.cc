@@ -21,16 +21,17 @@ constexpr std::uint32_t unmated = static_cast<std::uint32_t>(-1);
 std::vector<std::uint32_t> pair_sides(const Triangles& triangles, std::size_t vertices) {
   std::vector<std::uint32_t> mates(3 * triangles.size(), unmated);
   std::vector<std::uint32_t> up, down;
-  for_each_edge(sides_by_edge(triangles, vertices), [&](const Side* begin, const Side* end) {
-    up.clear();
-    down.clear();
-    for (const Side* side = begin; side < end; ++side)
-      (rises(triangles, *side) ? up : down).push_back(side->corner);
-    for (std::size_t i = 0; i < std::min(up.size(), down.size()); ++i) {
-      mates[up[i]] = down[i];
-      mates[down[i]] = up[i];
-    }
-  });
+  for_each_edge(measure::sides_by_edge(triangles, vertices),
+                [&](const measure::Side* begin, const measure::Side* end) {
+                  up.clear();
+                  down.clear();
+                  for (const measure::Side* side = begin; side < end; ++side)
+                    (rises(triangles, *side) ? up : down).push_back(side->corner);
+                  for (std::size_t i = 0; i < std::min(up.size(), down.size()); ++i) {
+                    mates[up[i]] = down[i];
+                    mates[down[i]] = up[i];
+                  }
+                });
   return mates;
 }
 
@@ -43,8 +44,8 @@ Fans find_fans(const Triangles& triangles, std::size_t vertices, const std::vect
   measure::UnionFind corners(3 * triangles.size());
   for (std::uint32_t corner = 0; corner < mates.size(); ++corner) {
     if (mates[corner] == unmated) continue;
-    corners.join(corner, next_corner(mates[corner]));
-    corners.join(next_corner(corner), mates[corner]);
+    corners.join(corner, measure::next_corner(mates[corner]));
+    corners.join(measure::next_corner(corner), mates[corner]);
   }
   Fans fans{triangles, {}};
   std::vector<bool> taken(vertices, false);
@@ -52,7 +53,7 @@ Fans find_fans(const Triangles& triangles, std::size_t vertices, const std::vect
     std::uint32_t& vertex = fans.triangles[corner / 3][corner % 3];
     const std::uint32_t first = corners.root(corner);  // the lowest of the fan, so it comes first
     if (first != corner) {
-      vertex = vertex_of(fans.triangles, first);
+      vertex = measure::vertex_of(fans.triangles, first);
     } else if (taken[vertex]) {
       fans.originals.push_back(vertex);
       vertex = static_cast<std::uint32_t>(vertices + fans.originals.size() - 1);
@@ -76,11 +77,13 @@ bool part_where_doubled(const Fans& fans, std::size_t vertices, std::vector<std:
     }
   };
   const std::size_t all = vertices + fans.originals.size();
-  for_each_edge(sides_by_edge(fans.triangles, all), [&](const Side* begin, const Side* end) {
-    bool seen[2] = {false, false};
-    for (const Side* side = begin; side < end; ++side)
-      if (std::exchange(seen[rises(fans.triangles, *side) ? 1 : 0], true)) part(side->corner / 3);
-  });
+  for_each_edge(measure::sides_by_edge(fans.triangles, all),
+                [&](const measure::Side* begin, const measure::Side* end) {
+                  bool seen[2] = {false, false};
+                  for (const measure::Side* side = begin; side < end; ++side)
+                    if (std::exchange(seen[rises(fans.triangles, *side) ? 1 : 0], true))
+                      part(side->corner / 3);
+                });
   return any;
 }
 

@@ -17,11 +17,12 @@ constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
 /// For each side, named by its corner, the one of the neighbour where an edge has two faces; else `none`.
 std::vector<std::uint32_t> neighbours(const Triangles& triangles, std::size_t vertices) {
   std::vector<std::uint32_t> mates(3 * triangles.size(), none);
-  for_each_edge(sides_by_edge(triangles, vertices), [&](const Side* begin, const Side* end) {
-    if (end - begin != 2) return;
-    mates[begin[0].corner] = begin[1].corner;
-    mates[begin[1].corner] = begin[0].corner;
-  });
+  for_each_edge(measure::sides_by_edge(triangles, vertices),
+                [&](const measure::Side* begin, const measure::Side* end) {
+                  if (end - begin != 2) return;
+                  mates[begin[0].corner] = begin[1].corner;
+                  mates[begin[1].corner] = begin[0].corner;
+                });
   return mates;
 }
 
@@ -33,7 +34,7 @@ void turn(MeshFile& file, std::size_t face) {
 
 }  // namespace
 
-NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<Side>& sides) {
+NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<measure::Side>& sides) {
   NonManifold found;
   const Triangles& triangles = mesh.triangles;
   measure::UnionFind fans(3 * triangles.size());  // corners of one vertex, joined through edges
@@ -41,13 +42,14 @@ NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<Side>& 
   for (const IndexedMesh::Triangle& triangle : triangles)
     for (const std::uint32_t vertex : triangle) ++fan_count[vertex];
 
-  const auto corner_at = [&](const Side& side, std::uint32_t vertex) {
-    return vertex_of(triangles, side.corner) == vertex ? side.corner : next_corner(side.corner);
+  const auto corner_at = [&](const measure::Side& side, std::uint32_t vertex) {
+    return measure::vertex_of(triangles, side.corner) == vertex ? side.corner
+                                                                : measure::next_corner(side.corner);
   };
-  for_each_edge(sides, [&](const Side* begin, const Side* end) {
+  for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
     const auto faces = end - begin;
     if (faces > 2 || (faces == 2 && rises(triangles, begin[0]) == rises(triangles, begin[1]))) ++found.edges;
-    for (const Side* side = begin + 1; side < end; ++side)
+    for (const measure::Side* side = begin + 1; side < end; ++side)
       for (const std::uint32_t vertex : {begin->low, begin->high})
         if (fans.join(corner_at(*begin, vertex), corner_at(*side, vertex))) --fan_count[vertex];
   });
@@ -56,16 +58,16 @@ NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<Side>& 
   return found;
 }
 
-std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<Side>& sides) {
+std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<measure::Side>& sides) {
   const Triangles& triangles = mesh.triangles;
   std::vector<bool> distinct(triangles.size(), true);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> thirds;  // third vertex, face
-  for_each_edge(sides, [&](const Side* begin, const Side* end) {
+  for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
     if (end - begin < 2) return;
     thirds.clear();
-    for (const Side* side = begin; side < end; ++side) {
+    for (const measure::Side* side = begin; side < end; ++side) {
       // A face comes by at each of its edges; it is counted at the one between its two lowest vertices.
-      const std::uint32_t third = vertex_of(triangles, opposite_corner(side->corner));
+      const std::uint32_t third = measure::vertex_of(triangles, measure::opposite_corner(side->corner));
       if (third > side->high) thirds.emplace_back(third, side->corner / 3);
     }
     std::sort(thirds.begin(), thirds.end());
@@ -80,7 +82,7 @@ std::size_t orient(MeshFile& file) {
   const std::vector<std::uint32_t> mates = neighbours(triangles, file.mesh.points.size());
   // Two sides of one edge agree if they run against each other: if they start at different vertices.
   const auto agree = [&](std::uint32_t corner, std::uint32_t mate) {
-    return vertex_of(triangles, corner) != vertex_of(triangles, mate);
+    return measure::vertex_of(triangles, corner) != measure::vertex_of(triangles, mate);
   };
   std::vector<bool> seen(triangles.size(), false), turned(triangles.size(), false);
   std::vector<std::uint32_t> piece;

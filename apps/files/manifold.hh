@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "files/MeshFile.hh"
-#include "files/sides.hh"
+#include "measure/sides.hh"
 
 namespace whittle::files {
 
@@ -19,10 +19,10 @@ struct NonManifold {
 
 /// \param sides  of all the mesh's faces, by edge
 /// \{
-NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<Side>& sides);
+NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<measure::Side>& sides);
 
 /// Marks the faces that are the first on their three vertices, whichever way round.
-std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<Side>& sides);
+std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<measure::Side>& sides);
 /// \}
 
 /// Turns faces until neighbours agree wherever that is possible: in each connected piece the fewer.

@@ -28,15 +28,15 @@ struct Halfedges {
   std::vector<std::uint32_t> of_vertex;  ///< one that leaves each vertex, of the boundary if there is one
 };
 
-Halfedges connect(const IndexedMesh& mesh, const std::vector<Side>& sides) {
+Halfedges connect(const IndexedMesh& mesh, const std::vector<measure::Side>& sides) {
   Halfedges all;
   all.of_corner.resize(sides.size());
   all.of_vertex.assign(mesh.points.size(), no_index);
-  for_each_edge(sides, [&](const Side* begin, const Side* end) {
+  for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
     const auto first = static_cast<std::uint32_t>(all.to.size());
     all.to.insert(all.to.end(), {begin->high, begin->low});
     all.face.insert(all.face.end(), {no_index, no_index});
-    for (const Side* side = begin; side < end; ++side) {
+    for (const measure::Side* side = begin; side < end; ++side) {
       const std::uint32_t half = first + (rises(mesh.triangles, *side) ? 0 : 1);
       all.face[half] = side->corner / 3;
       all.of_corner[side->corner] = half;
@@ -45,7 +45,7 @@ Halfedges connect(const IndexedMesh& mesh, const std::vector<Side>& sides) {
   all.next.assign(all.to.size(), no_index);
   for (std::uint32_t corner = 0; corner < all.of_corner.size(); ++corner) {
     const std::uint32_t half = all.of_corner[corner];
-    all.next[half] = all.of_corner[next_corner(corner)];
+    all.next[half] = all.of_corner[measure::next_corner(corner)];
     all.of_vertex[all.to[half ^ 1U]] = half;
   }
   for (std::uint32_t half = 0; half < all.to.size(); ++half)
@@ -147,7 +147,7 @@ class OmWriter {
     begin({false, Entity::halfedge, Type::texture, true, true, 2, 0});
     std::vector<std::uint32_t> value(all.to.size(), no_index);
     for (std::uint32_t corner = 0; corner < all.of_corner.size(); ++corner) {
-      const std::uint32_t end = next_corner(corner);
+      const std::uint32_t end = measure::next_corner(corner);
       value[all.of_corner[corner]] = texture.corners[end / 3][end % 3];
     }
     for (const std::uint32_t index : value) {
@@ -170,9 +170,9 @@ bool has_vertex_twice(const IndexedMesh& mesh) {
   return false;
 }
 
-std::size_t count_edges(const std::vector<Side>& sides) {
+std::size_t count_edges(const std::vector<measure::Side>& sides) {
   std::size_t edges = 0;
-  for_each_edge(sides, [&](const Side*, const Side*) { ++edges; });
+  for_each_edge(sides, [&](const measure::Side*, const measure::Side*) { ++edges; });
   return edges;
 }
 
@@ -189,7 +189,7 @@ std::string om_bytes(const IndexedMesh& mesh, const attributes::Attributes& attr
                      const WriteOptions& options, WriteReport& report) {
   if (mesh.triangles.size() > std::numeric_limits<std::int32_t>::max() / 3)
     throw Fault("not written: OM cannot name so many half-edges");
-  const std::vector<Side> sides = sides_by_edge(mesh.triangles, mesh.points.size());
+  const std::vector<measure::Side> sides = measure::sides_by_edge(mesh.triangles, mesh.points.size());
   const NonManifold found = count_nonmanifold(mesh, sides);
   const bool manifold = found.edges + found.vertices == 0 && !has_vertex_twice(mesh);
   const Choice choice = choose(attributes,

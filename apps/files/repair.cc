@@ -29,11 +29,11 @@ void drop_unused_vertices(MeshFile& file) {
   file.report.dropped_vertices += keep_vertices(file, used);
 }
 
-std::vector<Side> sides_of(const IndexedMesh& mesh) {
-  return sides_by_edge(mesh.triangles, mesh.points.size());
+std::vector<measure::Side> sides_of(const IndexedMesh& mesh) {
+  return measure::sides_by_edge(mesh.triangles, mesh.points.size());
 }
 
-void count(MeshFile& file, const std::vector<Side>& sides) {
+void count(MeshFile& file, const std::vector<measure::Side>& sides) {
   const NonManifold found = count_nonmanifold(file.mesh, sides);
   file.report.nonmanifold_edges = found.edges;
   file.report.nonmanifold_vertices = found.vertices;
@@ -41,7 +41,7 @@ void count(MeshFile& file, const std::vector<Side>& sides) {
 
 void fix(MeshFile& file) {
   drop_what_is_not_finite(file);
-  std::vector<Side> sides = sides_of(file.mesh);
+  std::vector<measure::Side> sides = sides_of(file.mesh);
   file.report.duplicate_faces = keep_faces(file, mark_distinct(file.mesh, sides));
   if (file.report.duplicate_faces > 0) sides = sides_of(file.mesh);
   count(file, sides);
@@ -60,7 +60,7 @@ void repair(MeshFile& file, Repair mode) {
   file.report.repair = mode;
   if (mode == Repair::fix) fix(file);
   if (mode != Repair::report) return;
-  const std::vector<Side> sides = sides_of(file.mesh);
+  const std::vector<measure::Side> sides = sides_of(file.mesh);
   const std::vector<bool> distinct = mark_distinct(file.mesh, sides);
   file.report.duplicate_faces = static_cast<std::size_t>(std::count(distinct.begin(), distinct.end(), false));
   count(file, sides);

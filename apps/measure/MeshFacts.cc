@@ -8,44 +8,12 @@
 #include <vector>
 
 #include "measure/UnionFind.hh"
+#include "measure/sides.hh"
 #include "measure/triangle.hh"
 
 namespace whittle::measure {
 
 namespace {
-
-/// One side of a face: the undirected edge, and the corner of the face that it starts from.
-struct Side {
-  std::uint32_t low, high;  // the edge's vertices
-  std::uint32_t corner;     // 3 * face + position in the face
-
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
-  bool operator<(const Side& other) const {
-    if (low != other.low) return low < other.low;
-    if (high != other.high) return high < other.high;
-    return corner < other.corner;
-  }
-};
-
-bool has_vertex_twice(const IndexedMesh::Triangle& t) {
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
-/// The sides of all faces but those with a vertex twice; those of one edge come one after the other.
-std::vector<Side> sorted_sides(const IndexedMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
-    const auto& triangle = mesh.triangles[face];
-    if (has_vertex_twice(triangle)) continue;
-    for (unsigned i = 0; i < 3; ++i) {
-      const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(3 * face + i)});
-    }
-  }
-  std::sort(sides.begin(), sides.end());
-  return sides;
-}
 
 std::size_t count_duplicates(const IndexedMesh& mesh) {
   std::vector<IndexedMesh::Triangle> faces;
@@ -81,7 +49,7 @@ void add_sizes(const IndexedMesh& mesh, MeshFacts& facts) {
 
 /// Walks over the edges, that is the runs of equal sides, and counts what depends on how faces meet.
 void add_connections(const IndexedMesh& mesh, MeshFacts& facts) {
-  const std::vector<Side> sides = sorted_sides(mesh);
+  const std::vector<Side> sides = sides_by_edge(mesh.triangles, mesh.points.size(), Faces::proper);
   UnionFind pieces(mesh.triangles.size());    // faces joined through edges
   UnionFind fans(3 * mesh.triangles.size());  // corners of one vertex joined through edges
   UnionFind boundary(mesh.points.size());     // vertices joined through boundary edges
@@ -89,26 +57,23 @@ void add_connections(const IndexedMesh& mesh, MeshFacts& facts) {
   std::vector<bool> used(mesh.points.size(), false);
 
   for (const Side& side : sides) {
-    const std::uint32_t vertex = mesh.triangles[side.corner / 3][side.corner % 3];
+    const std::uint32_t vertex = vertex_of(mesh.triangles, side.corner);
     ++fan_count[vertex];  // every corner a fan of its own, until it is joined with another
     used[vertex] = true;
   }
   const std::size_t proper_faces = sides.size() / 3;
   facts.components = proper_faces;
 
-  const auto starts_low = [&](const Side& s) { return mesh.triangles[s.corner / 3][s.corner % 3] == s.low; };
   const auto corner_at = [&](const Side& s, std::uint32_t vertex) {
-    const std::uint32_t next = s.corner % 3 == 2 ? s.corner - 2 : s.corner + 1;
-    return (vertex == s.low) == starts_low(s) ? s.corner : next;
+    return (vertex == s.low) == rises(mesh.triangles, s) ? s.corner : next_corner(s.corner);
   };
 
   double length_sum = 0, shortest = std::numeric_limits<double>::max();
   std::size_t boundary_joins = 0;
   std::vector<bool> on_boundary(mesh.points.size(), false);
-  for (std::size_t begin = 0, end; begin < sides.size(); begin = end) {
-    const Side& first = sides[begin];
-    for (end = begin + 1; end < sides.size() && sides[end].same_edge(first);) ++end;
-    const std::size_t faces = end - begin;
+  for_each_edge(sides, [&](const Side* begin, const Side* end) {
+    const Side& first = *begin;
+    const auto faces = end - begin;
 
     ++facts.edges;
     const double length = (mesh.points[first.low] - mesh.points[first.high]).norm();
@@ -120,16 +85,16 @@ void add_connections(const IndexedMesh& mesh, MeshFacts& facts) {
       ++facts.boundary_edges;
       if (boundary.join(first.low, first.high)) ++boundary_joins;
       on_boundary[first.low] = on_boundary[first.high] = true;
-    } else if (faces > 2 || starts_low(first) == starts_low(sides[begin + 1])) {
+    } else if (faces > 2 || rises(mesh.triangles, first) == rises(mesh.triangles, begin[1])) {
       ++facts.nonmanifold_edges;
     }
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      if (pieces.join(first.corner / 3, sides[i].corner / 3)) --facts.components;
+    for (const Side* side = begin + 1; side < end; ++side) {
+      if (pieces.join(first.face(), side->face())) --facts.components;
       for (const std::uint32_t vertex : {first.low, first.high}) {
-        if (fans.join(corner_at(first, vertex), corner_at(sides[i], vertex))) --fan_count[vertex];
+        if (fans.join(corner_at(first, vertex), corner_at(*side, vertex))) --fan_count[vertex];
       }
     }
-  }
+  });
 
   // A chain over n vertices takes n - 1 successful joins.
   facts.boundary_loops =

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "whittle/surface/constants.hh"
+
 namespace whittle::render {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 Eigen::Vector3d corner(const Eigen::AlignedBox3d& box, int number) {
   return box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(number));
@@ -53,7 +53,7 @@ Eigen::Matrix4d perspective(double slope_x, double slope_y, double near, double 
 Camera frame(const Eigen::AlignedBox3d& subject, const Eigen::AlignedBox3d& scene, double aspect,
              const ViewPoint& from) {
   const Eigen::Matrix3d rotation = axes(from);
-  const double slope_y = std::tan(from.fov_degrees * kPi / 360);
+  const double slope_y = std::tan(from.fov_degrees * detail::kPi / 360);
   const double slope_x = slope_y * aspect;
   const double used = 1 - 2 * from.margin;
   const Fit horizontal = fit(subject, rotation, 0, used * slope_x);

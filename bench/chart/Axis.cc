@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "text/number.hh"
 
 namespace whittle::chart {
 
@@ -40,13 +41,8 @@ std::vector<double> log_ticks(double low, double high) {
 }
 
 std::string number_text(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.6g", value == 0 ? 0 : value);
-  std::string out = text;
-  if (out.find_first_of("e.n") != std::string::npos) return out;
-  for (auto at = static_cast<long>(out.size()) - 3; at > (value < 0 ? 1 : 0); at -= 3)
-    out.insert(static_cast<std::size_t>(at), ",");
-  return out;
+  const std::string out = text::significant(value == 0 ? 0 : value, 6);
+  return out.find_first_of("e.n") == std::string::npos ? text::grouped(out) : out;
 }
 
 Axis::Axis(double low, double high, double from, double to, Scale scale)

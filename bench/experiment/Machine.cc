@@ -3,10 +3,10 @@
 #include <sched.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <fstream>
 #include <thread>
 
+#include "text/utc.hh"
 #include "version/Version.hh"
 
 namespace whittle::bench {
@@ -19,15 +19,6 @@ std::string cpu_model() {
     if (line.rfind("model name", 0) == 0 && value != std::string::npos) return line.substr(value + 2);
   }
   return "unknown";
-}
-
-std::string now_utc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
 }
 
 /// Without what an affinity mask or a container takes away.
@@ -51,7 +42,7 @@ std::string or_unknown(const std::string& text) {
 Machine machine() {
   return {
       cpu_model(),   cpu_threads(),     memory_bytes(),   WHITTLE_COMPILER, or_unknown(WHITTLE_BUILD_TYPE),
-      WHITTLE_FLAGS, version::commit(), version::dirty(), now_utc()};
+      WHITTLE_FLAGS, version::commit(), version::dirty(), text::now_utc()};
 }
 
 }  // namespace whittle::bench

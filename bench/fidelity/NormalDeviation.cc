@@ -8,11 +8,12 @@
 #include "measure/ClosestFace.hh"
 #include "measure/Surface.hh"
 #include "measure/triangle.hh"
+#include "whittle/surface/constants.hh"
 
 namespace whittle::bench {
 namespace {
 
-constexpr double kDegrees = 180 / 3.14159265358979323846;
+constexpr double kDegrees = 180 / detail::kPi;
 
 unsigned threads() {
   return std::max(1u, std::thread::hardware_concurrency());

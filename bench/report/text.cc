@@ -1,7 +1,8 @@
 #include "report/text.hh"
 
-#include <cmath>
 #include <cstdio>
+
+#include "text/number.hh"
 
 namespace whittle::bench {
 
@@ -15,16 +16,11 @@ std::string fixed(double value, int decimals) {
 }
 
 std::string thousands(double value) {
-  std::string out = fixed(std::abs(value), 0);
-  for (auto at = static_cast<long>(out.size()) - 3; at > 0; at -= 3)
-    out.insert(static_cast<std::size_t>(at), ",");
-  return value < 0 ? "-" + out : out;
+  return text::grouped(fixed(value, 0));
 }
 
 std::string short_number(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+  return text::significant(value, 3);
 }
 
 std::string spread_text(const Summary& s, int decimals) {

@@ -1,9 +1,10 @@
 #include "speed/subdivide.hh"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
+
+#include "measure/sides.hh"
 
 namespace whittle::speed {
 namespace {
@@ -22,37 +23,21 @@ Arrays::Point scatter(std::uint64_t a, std::uint64_t b) {
   return p;
 }
 
-/// A corner of a triangle with the edge that begins there, the lower index first.
-struct Side {
-  std::uint32_t low, high, corner;
-  bool operator<(const Side& other) const { return low != other.low ? low < other.low : high < other.high; }
-};
-
 }  // namespace
 
 Arrays subdivide(const Arrays& arrays) {
   constexpr float kScatter = 0.01f / 2;  // a vector in the cube is shorter than 2
-  const auto n_corners = static_cast<std::uint32_t>(3 * arrays.triangles.size());
-  std::vector<Side> sides;
-  sides.reserve(n_corners);
-  for (std::uint32_t corner = 0; corner < n_corners; ++corner) {
-    const auto& t = arrays.triangles[corner / 3];
-    const auto [low, high] = std::minmax(t[corner % 3], t[(corner + 1) % 3]);
-    sides.push_back({low, high, corner});
-  }
-  std::sort(sides.begin(), sides.end());
-
   Arrays out;
   out.points = arrays.points;
-  std::vector<std::uint32_t> middle(n_corners);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Side& side = sides[i];
-    if (i == 0 || sides[i - 1] < side) {
-      const Arrays::Point &a = arrays.points[side.low], &b = arrays.points[side.high];
-      out.points.push_back((a + b) / 2 + kScatter * (b - a).norm() * scatter(side.low, side.high));
-    }
-    middle[side.corner] = static_cast<std::uint32_t>(out.points.size() - 1);
-  }
+  std::vector<std::uint32_t> middle(3 * arrays.triangles.size());  // of the side that starts at a corner
+  for_each_edge(
+      measure::sides_by_edge(arrays.triangles, arrays.points.size()),
+      [&](const measure::Side* begin, const measure::Side* end) {
+        const Arrays::Point &a = arrays.points[begin->low], &b = arrays.points[begin->high];
+        for (const measure::Side* side = begin; side < end; ++side)
+          middle[side->corner] = static_cast<std::uint32_t>(out.points.size());
+        out.points.push_back((a + b) / 2 + kScatter * (b - a).norm() * scatter(begin->low, begin->high));
+      });
 
   out.triangles.reserve(4 * arrays.triangles.size());
   for (std::uint32_t f = 0; f < arrays.triangles.size(); ++f) {

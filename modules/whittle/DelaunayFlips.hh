@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "whittle/plan/PlanDraft.hh"
+#include "whittle/surface/constants.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle {
@@ -170,7 +171,7 @@ DelaunayFlipperT<Mesh>::DelaunayFlipperT(Mesh& mesh, const DelaunayFlips& option
       options_(options),
       region_(region),
       // Rounding may take the cosine of two equal unit normals a few ulps below 1, hence the allowance.
-      min_dihedral_cos_(std::cos(options.max_dihedral * (3.14159265358979323846 / 180)) - 1e-12),
+      min_dihedral_cos_(std::cos(options.max_dihedral * (detail::kPi / 180)) - 1e-12),
       verdict_(mesh.n_edges(), Verdict::stays),
       queued_(mesh.n_edges(), false) {}
 

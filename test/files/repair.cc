@@ -26,7 +26,7 @@ std::vector<float> numbers_of(const MeshFile& file) {
 void check_manifold(const MeshFile& file) {
   CHECK(unsound(file) == nullptr);
   const NonManifold found =
-      count_nonmanifold(file.mesh, sides_by_edge(file.mesh.triangles, file.mesh.points.size()));
+      count_nonmanifold(file.mesh, measure::sides_by_edge(file.mesh.triangles, file.mesh.points.size()));
   CHECK(found.edges == 0);
   CHECK(found.vertices == 0);
 }
@@ -92,8 +92,8 @@ TEST_CASE("repair: two closed bodies that share an edge come apart and stay clos
   CHECK(file.mesh.triangles.size() == 8);
   CHECK(file.mesh.points.size() == 8);
   check_manifold(file);
-  for_each_edge(sides_by_edge(file.mesh.triangles, file.mesh.points.size()),
-                [](const Side* begin, const Side* end) { CHECK(end - begin == 2); });
+  for_each_edge(measure::sides_by_edge(file.mesh.triangles, file.mesh.points.size()),
+                [](const measure::Side* begin, const measure::Side* end) { CHECK(end - begin == 2); });
 }
 
 TEST_CASE("repair: duplicates go, whichever way round they are") {

@@ -35,7 +35,8 @@ MeshFile parsed(std::string_view bytes, Format as, Repair repair) {
 }
 
 void check_manifold(const whittle::IndexedMesh& mesh) {
-  const NonManifold found = count_nonmanifold(mesh, sides_by_edge(mesh.triangles, mesh.points.size()));
+  const NonManifold found =
+      count_nonmanifold(mesh, whittle::measure::sides_by_edge(mesh.triangles, mesh.points.size()));
   require(found.edges == 0 && found.vertices == 0, "not manifold after repair");
 }
 

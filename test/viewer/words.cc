@@ -25,7 +25,7 @@ TEST_CASE("a quoted word is split into the word that it was") {
 }
 
 TEST_CASE("numbers become the shortest text that reads back") {
-  CHECK(to_text(0.8) == "0.8");
+  CHECK(whittle::text::shortest(0.8) == "0.8");
   CHECK(rounded(1234.567, 3) == 1230);
   CHECK(rounded(0.00123456, 4) == 0.001235);
   CHECK(to_number("1e-3") == 0.001);

@@ -6,62 +6,39 @@
 #include <cstddef>
 #include <thread>
 
+#include "measure/sides.hh"
 #include "whittle/surface/Surface.hh"
+#include "whittle/surface/constants.hh"
 
 namespace whittle::viewer {
 namespace {
 
-/// An edge as one of its faces has it.
-struct Side {
-  std::array<std::uint32_t, 2> ends;  // the lower first
-  std::uint32_t face;
-  bool ascending;  // the face goes from the lower to the higher
-};
-
-std::vector<Side> sorted_sides(const IndexedMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    const auto& t = mesh.triangles[f];
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = t[i], to = t[(i + 1) % 3];
-      sides.push_back({{std::min(from, to), std::max(from, to)}, f, from < to});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return a.ends != b.ends ? a.ends < b.ends : a.face < b.face;
-  });
-  return sides;
-}
-
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / 3.14159265358979323846;
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / detail::kPi;
 }
 
 }  // namespace
 
 std::vector<Edge> edge_table(const IndexedMesh& mesh) {
   const SurfaceT<double> surface(mesh, {}, std::thread::hardware_concurrency());
-  const std::vector<Side> sides = sorted_sides(mesh);
+  const auto sides = measure::sides_by_edge(mesh.triangles, mesh.points.size(), measure::Faces::proper);
   std::vector<Edge> edges;
   edges.reserve(sides.size() / 2);
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-    const Side& first = sides[begin];
-    while (end < sides.size() && sides[end].ends == first.ends) ++end;
+  for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
+    const measure::Side& first = *begin;
     Edge edge;
-    edge.ends = first.ends;
-    edge.length = static_cast<float>((mesh.points[edge.ends[0]] - mesh.points[edge.ends[1]]).norm());
+    edge.ends = {first.low, first.high};
+    edge.length = static_cast<float>((mesh.points[first.low] - mesh.points[first.high]).norm());
     if (end - begin == 1)
       edge.kind = EdgeKind::boundary;
-    else if (end - begin > 2 || first.ascending == sides[begin + 1].ascending)
+    else if (end - begin > 2 || rises(mesh.triangles, first) == rises(mesh.triangles, begin[1]))
       edge.kind = EdgeKind::nonmanifold;
     else
-      edge.angle = static_cast<float>(
-          angle_between(surface.normal(first.face), surface.normal(sides[begin + 1].face)));
-    edge.held = !surface.is_free(edge.ends[0]) && !surface.is_free(edge.ends[1]);
+      edge.angle =
+          static_cast<float>(angle_between(surface.normal(first.face()), surface.normal(begin[1].face())));
+    edge.held = !surface.is_free(first.low) && !surface.is_free(first.high);
     edges.push_back(edge);
-  }
+  });
   return edges;
 }
 

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "whittle/surface/constants.hh"
+
 namespace whittle::viewer {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr double kDegree = detail::kPi / 180;
 const double kSlope = std::tan(render::ViewPoint().fov_degrees * kDegree / 2);  // of the picture's upper edge
 
 }  // namespace

@@ -103,7 +103,7 @@ const char* name(Unit unit) {
 }
 
 std::string Length::text() const {
-  return to_text(amount) + suffix(unit);
+  return text::shortest(amount) + suffix(unit);
 }
 
 double Length::in_model_units(const Scale& scale) const {

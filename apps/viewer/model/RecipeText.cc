@@ -60,11 +60,11 @@ std::string options_text(const Recipe& recipe) {
     text += (text.empty() ? "" : " ") + option + " " + quote(value);
   };
   for (const recipe::Spec& spec : recipe.modules) add("--module", spec.text());
-  if (recipe.target.ratio) add("--ratio", to_text(*recipe.target.ratio));
+  if (recipe.target.ratio) add("--ratio", text::shortest(*recipe.target.ratio));
   if (recipe.target.faces) add("--faces", std::to_string(*recipe.target.faces));
   if (recipe.target.vertices) add("--vertices", std::to_string(*recipe.target.vertices));
   if (recipe.max_distance) add("--max-distance", recipe.max_distance->text());
-  if (recipe.delaunay) add("--delaunay", to_text(*recipe.delaunay));
+  if (recipe.delaunay) add("--delaunay", text::shortest(*recipe.delaunay));
   if (recipe.driver != recipe::Driver::automatic) add("--driver", recipe::to_string(recipe.driver));
   return text;
 }
@@ -75,7 +75,7 @@ std::string command_text(const Recipe& recipe, const std::string& in, const std:
 
 std::string levels_command_text(const Recipe& recipe, const std::string& in, const std::string& out) {
   return "whittle lods " + quote(in) + " --out " + quote(out) + " --levels 2 --ratio " +
-         to_text(*recipe.target.ratio);
+         text::shortest(*recipe.target.ratio);
 }
 
 Recipe parse_options(const std::string& text) {

@@ -7,11 +7,6 @@
 
 namespace whittle::viewer {
 
-std::string to_text(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
 double rounded(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
@@ -26,16 +21,8 @@ std::optional<double> to_number(const std::string& text) {
   return value;
 }
 
-std::string grouped(std::size_t count) {
-  std::string text = std::to_string(count);
-  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
-  return text;
-}
-
 std::string figure(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  return text::significant(value, 4);
 }
 
 }  // namespace whittle::viewer

@@ -2,14 +2,12 @@
 /// Numbers for people: as text, short and without rounding surprises.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 
-namespace whittle::viewer {
+#include "text/number.hh"
 
-/// The shortest text that reads back the same number.
-std::string to_text(double value);
+namespace whittle::viewer {
 
 /// The number rounded to so many significant digits.
 double rounded(double value, int digits);
@@ -17,8 +15,7 @@ double rounded(double value, int digits);
 /// A finite number and nothing else.
 std::optional<double> to_number(const std::string& text);
 
-/// `12,345`: with a comma every three digits.
-std::string grouped(std::size_t count);
+using text::grouped;
 
 /// Four significant digits: `0.001234`, `1.2e-05`.
 std::string figure(double value);

@@ -1,6 +1,6 @@
 #include "model/numbers.hh"
 
-#include "cli/report.hh"
+#include "figures/json.hh"
 #include "model/RecipeText.hh"
 
 namespace whittle::viewer {
@@ -14,8 +14,8 @@ nlohmann::ordered_json numbers(const Session& session) {
   for (const char* name : {"original", "simplified", "stages", "distance", "plan"}) root[name] = nullptr;
   if (const Model* model = session.model())
     root["original"] = {{"file", model->path},
-                        {"read", cli::to_json(model->file.report)},
-                        {"mesh", cli::to_json(model->inspection.facts)}};
+                        {"read", figures::to_json(model->file.report)},
+                        {"mesh", figures::to_json(model->inspection.facts)}};
   if (const PlanPicture* plan = session.plan())
     root["plan"] = {{"vertices_gone", plan->vertices_gone},
                     {"faces_gone", plan->faces_gone},
@@ -25,15 +25,15 @@ nlohmann::ordered_json numbers(const Session& session) {
                           {"faces", outcome->mesh().triangles.size()}};
     root["stages"] = Json::array();
     for (const recipe::StageResult& stage : outcome->result.stages)
-      root["stages"].push_back(cli::to_json(stage));
+      root["stages"].push_back(figures::to_json(stage));
     root["flipped_faces"] = outcome->result.flipped_faces;
     root["target_reached"] = outcome->result.target_reached;
     root["nonmanifold_faces_dropped"] = outcome->result.refused_faces;
     root["decimation_ms"] = outcome->milliseconds;
   }
   if (const Comparison* comparison = session.comparison()) {
-    root["simplified"]["mesh"] = cli::to_json(comparison->inspection.facts);
-    if (comparison->distance) root["distance"] = cli::to_json(*comparison->distance);
+    root["simplified"]["mesh"] = figures::to_json(comparison->inspection.facts);
+    if (comparison->distance) root["distance"] = figures::to_json(*comparison->distance);
     root["heat_top_units"] = comparison->heat_top;
   }
   return root;

@@ -39,7 +39,7 @@ std::optional<double> threshold(const Ui& ui, const recipe::Spec& spec, const st
 }
 
 void pick(Ui& ui, const recipe::Spec& spec, Quantity quantity, const std::string& key, double value) {
-  std::string text = to_text(rounded(value, 3));
+  std::string text = text::shortest(rounded(value, 3));
   if (quantity == Quantity::edge_length) {
     const Unit unit = spec.has(key) ? parse_length(*spec.word(key)).unit : Unit::model;
     text = in_unit({rounded(value, 4), Unit::model}, unit, ui.session.model()->scale).text();

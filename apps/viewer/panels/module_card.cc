@@ -84,7 +84,7 @@ void number_knob(const Knob& knob) {
   knob.ui.note_place(knob.tag());
   if (moved) {
     amount = whole ? std::round(amount) : rounded(amount, 3);
-    knob.set(to_text(std::clamp(amount, knob.key.min, knob.key.max)), true);
+    knob.set(text::shortest(std::clamp(amount, knob.key.min, knob.key.max)), true);
   }
   if (just_released()) knob.ui.session.end_of_drag();
   tip(meaning(knob.key));

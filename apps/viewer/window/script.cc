@@ -60,7 +60,7 @@ bool App::slide(const Command& command) {
   const auto now = modules[place].word(command.arguments[1]);
   const std::string unit = now ? suffix(parse_length(*now).unit) : "";
   const double value = rounded(from + (to - from) * slide_step_ / std::max(steps - 1, 1), 4);
-  session_.change(with_value(session_.recipe(), place, command.arguments[1], to_text(value) + unit),
+  session_.change(with_value(session_.recipe(), place, command.arguments[1], text::shortest(value) + unit),
                   "slide." + command.arguments[1]);
   if (++slide_step_ < steps) {
     frames_due_ = 1;

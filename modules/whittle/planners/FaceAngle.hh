@@ -11,6 +11,7 @@
 
 #include "whittle/plan/PlanDraft.hh"
 #include "whittle/surface/Surface.hh"
+#include "whittle/surface/constants.hh"
 #include "whittle/surface/errors.hh"
 #include "whittle/surface/triangle.hh"
 
@@ -41,7 +42,6 @@ struct FaceAngle {
     lexicographic,  ///< at the ring vertex with the largest x, then y, then z (Paper 2)
   };
   static constexpr int kAllAngles = 0;
-  static constexpr double kPi = 3.14159265358979323846;
 
   double max_normal_angle = 30;  ///< degrees, in [0, 180]. The included angle of Paper 2 is 180 minus this.
   Pairs pairs = Pairs::adjacent;
@@ -86,7 +86,9 @@ struct FaceAngle {
 
   /// Of an angle in degrees. Rounding may take the cosine of two equal normals a few ulps below 1, hence the
   /// allowance.
-  static double cosine(double degrees) { return std::cos(std::min(180.0, degrees) * (kPi / 180)) - 1e-12; }
+  static double cosine(double degrees) {
+    return std::cos(std::min(180.0, degrees) * (detail::kPi / 180)) - 1e-12;
+  }
 
   bool is_flat(const Umbrella& umbrella, double min_cos) const;
 

@@ -1,0 +1,21 @@
+/// \file
+/// Figures as JSON. Every figure's name ends with its unit; plain names are counts.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "files/MeshFile.hh"
+#include "measure/Distance.hh"
+#include "measure/MeshFacts.hh"
+#include "recipe/Recipe.hh"
+
+namespace whittle::figures {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const measure::MeshFacts& facts);
+Json to_json(const measure::Distance& distance);
+Json to_json(const recipe::StageResult& stage);
+Json to_json(const files::ReadReport& report);
+
+}  // namespace whittle::figures
