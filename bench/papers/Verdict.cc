@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "papers/Papers.hh"
-#include "report/text.hh"
 #include "results/Figures.hh"
+#include "results/text.hh"
 
 namespace whittle::bench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "chart/ScatterChart.hh"
 #include "report/sections.hh"
-#include "report/text.hh"
+#include "results/text.hh"
 
 namespace whittle::bench {
 namespace {

@@ -1,5 +1,5 @@
 #include "report/sections.hh"
-#include "report/text.hh"
+#include "results/text.hh"
 
 namespace whittle::bench {
 namespace {

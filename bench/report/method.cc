@@ -3,7 +3,7 @@
 
 #include "papers/Verdict.hh"
 #include "report/sections.hh"
-#include "report/text.hh"
+#include "results/text.hh"
 
 namespace whittle::bench {
 

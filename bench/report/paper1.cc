@@ -2,7 +2,7 @@
 #include "papers/Papers.hh"
 #include "papers/Verdict.hh"
 #include "report/sections.hh"
-#include "report/text.hh"
+#include "results/text.hh"
 
 namespace whittle::bench {
 namespace {

@@ -1,7 +1,7 @@
 #include "chart/BarChart.hh"
 #include "papers/Papers.hh"
 #include "report/sections.hh"
-#include "report/text.hh"
+#include "results/text.hh"
 
 namespace whittle::bench {
 namespace {

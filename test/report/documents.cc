@@ -6,7 +6,7 @@
 #include "example.hh"
 #include "report/base64.hh"
 #include "report/sections.hh"
-#include "report/text.hh"
+#include "results/text.hh"
 
 using namespace whittle;
 

@@ -1,4 +1,4 @@
-#include "report/text.hh"
+#include "results/text.hh"
 
 #include <cstdio>
 
