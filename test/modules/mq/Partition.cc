@@ -13,7 +13,7 @@ using whittle::detail::Crew;
 
 namespace {
 
-CornerTable table_of(const meshes::IndexedMesh& mesh) {
+CornerTable table_along_curve(const meshes::IndexedMesh& mesh) {
   Crew alone(1);
   const MortonOrder order(mesh);
   return {order.triangles, order.vertex.size(), alone};
@@ -23,7 +23,7 @@ CornerTable table_of(const meshes::IndexedMesh& mesh) {
 
 TEST_CASE("mq's parts take equally many vertices in a row, and the faces between them") {
   for (const std::uint32_t side : {40u, 50u, 130u, 300u}) {
-    const CornerTable table = table_of(meshes::flat_grid(side));
+    const CornerTable table = table_along_curve(meshes::flat_grid(side));
     const Partition partition(table);
     const std::size_t n = table.n_vertices();
     CHECK(partition.size() == (side == 40 ? 1 : side == 50 ? 2 : side == 130 ? 4 : 5));
@@ -47,7 +47,7 @@ TEST_CASE("mq's parts take equally many vertices in a row, and the faces between
 }
 
 TEST_CASE("mq's partition of a mesh without vertices has one part with nothing in it") {
-  const Partition partition(table_of({}));
+  const Partition partition(table_along_curve({}));
   CHECK(partition.size() == 1);
   CHECK(partition.first_vertex(2) == 0);
   CHECK(partition.first_face(2) == 0);
