@@ -22,6 +22,7 @@ class SweepDecimaterT : public DriverT<MeshT> {
   using Mesh = MeshT;
   using CollapseInfo = typename Driver::CollapseInfo;
   using VertexHandle = typename Driver::VertexHandle;
+  using HalfedgeHandle = typename Driver::HalfedgeHandle;
 
   explicit SweepDecimaterT(Mesh& mesh) : Driver(mesh) {}
 
@@ -37,6 +38,24 @@ class SweepDecimaterT : public DriverT<MeshT> {
 
  protected:
   void run(bool only_selected) override {
+    if constexpr (Mesh::is_trimesh())
+      if (!only_selected && this->is_plan_alone() && this->planned()->is_fresh()) return run_proved();
+    run_tested(only_selected);
+  }
+
+ private:
+  /// The plan is alone on the mesh that it was made for: every collapse is legal in its turn.
+  void run_proved() {
+    const std::vector<Collapse>& collapses = this->planned()->plan().collapses;
+    detail::RingPrefetchT<Mesh> ahead(this->mesh_);
+    for (std::size_t i = 0; i < collapses.size() && !this->finished(); ++i) {
+      if (i + ahead.kAhead < collapses.size()) announce(collapses[i + ahead.kAhead], ahead);
+      this->execute_planned(i, find(collapses[i]));
+    }
+  }
+
+  /// Asks other modules and tests legality.
+  void run_tested(bool only_selected) {
     std::vector<const Collapse*> pending;
     for (const Collapse& collapse : this->planned()->plan().collapses) {
       const VertexHandle from(static_cast<int>(collapse.from));
@@ -50,11 +69,7 @@ class SweepDecimaterT : public DriverT<MeshT> {
       auto still = pending.begin();
       for (std::size_t i = 0; i < before; ++i) {
         if (this->finished()) return;
-        if (i + ahead.kAhead < before) {
-          const Collapse& later = *pending[i + ahead.kAhead];
-          ahead.announce(VertexHandle(static_cast<int>(later.from)),
-                         VertexHandle(static_cast<int>(later.to)));
-        }
+        if (i + ahead.kAhead < before) announce(*pending[i + ahead.kAhead], ahead);
         const Collapse* const collapse = pending[i];
         if (!try_execute(*collapse)) *still++ = collapse;
       }
@@ -63,10 +78,15 @@ class SweepDecimaterT : public DriverT<MeshT> {
     this->report_.refused = pending.size();
   }
 
- private:
+  static void announce(const Collapse& later, detail::RingPrefetchT<Mesh>& ahead) {
+    ahead.announce(VertexHandle(static_cast<int>(later.from)), VertexHandle(static_cast<int>(later.to)));
+  }
+  HalfedgeHandle find(const Collapse& collapse) const {
+    return this->connectivity_.find(VertexHandle(static_cast<int>(collapse.from)),
+                                    VertexHandle(static_cast<int>(collapse.to)));
+  }
   bool try_execute(const Collapse& collapse) {
-    const auto edge = this->connectivity_.find(VertexHandle(static_cast<int>(collapse.from)),
-                                               VertexHandle(static_cast<int>(collapse.to)));
+    const HalfedgeHandle edge = find(collapse);
     if (!edge.is_valid() || !this->is_legal(edge)) return false;
     CollapseInfo ci(this->mesh_, edge);
     if (this->collapse_priority(ci) < 0) return false;

@@ -103,6 +103,87 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "the sweep gives the same half-edges whether it tests legality or the plan is alone on a fresh mesh") {
+  std::vector<IndexedMesh> all{meshes::octahedron(), meshes::torus(24, 14), meshes::flat_grid(12),
+                               meshes::strip(9, 1)};
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    all.push_back(meshes::shaken(meshes::torus(24, 14), 0.03, seed));
+    all.push_back(meshes::riddled(meshes::shaken(meshes::flat_grid(16), 0.1, seed), 15, seed));
+  }
+  for (const IndexedMesh& in : all)
+    for (const std::size_t target : {std::size_t{0}, in.triangles.size() / 2, in.triangles.size() / 10}) {
+      Mesh proved = fixture::to_openmesh<Mesh>(in);
+      proved.request_face_normals();
+      proved.update_face_normals();
+      proved.request_vertex_status();
+      proved.request_edge_status();
+      proved.request_face_status();
+      Mesh tested = proved;
+      const auto run = [&](Mesh& mesh, OpenMesh::Decimater::Observer* observer) {
+        SweepDecimaterT<Mesh> decimater(mesh);
+        ModMemorylessQuadricT<Mesh>::Handle mq;
+        decimater.add(mq);
+        decimater.module(mq).set_target_faces(std::max<std::size_t>(1, target));
+        decimater.set_observer(observer);
+        decimater.initialize();
+        return decimater.decimate_to_faces(0, target);
+      };
+      fixture::StopAfter never(~std::size_t{0});
+      const std::size_t collapses = run(proved, nullptr);
+      REQUIRE(run(tested, &never) == collapses);
+      REQUIRE((in.triangles.size() < 20 || collapses > 0));
+      for (const auto v : tested.all_vertices()) {
+        REQUIRE(proved.status(v).deleted() == tested.status(v).deleted());
+        if (tested.status(v).deleted()) continue;
+        REQUIRE(proved.halfedge_handle(v) == tested.halfedge_handle(v));
+        REQUIRE(proved.point(v) == tested.point(v));
+      }
+      for (const auto f : tested.all_faces()) {
+        REQUIRE(proved.status(f).deleted() == tested.status(f).deleted());
+        if (tested.status(f).deleted()) continue;
+        REQUIRE(proved.halfedge_handle(f) == tested.halfedge_handle(f));
+        REQUIRE(proved.normal(f) == tested.normal(f));
+      }
+      for (const auto h : tested.all_halfedges()) {
+        if (tested.status(tested.edge_handle(h)).deleted()) continue;
+        REQUIRE(proved.to_vertex_handle(h) == tested.to_vertex_handle(h));
+        REQUIRE(proved.next_halfedge_handle(h) == tested.next_halfedge_handle(h));
+      }
+    }
+}
+
+TEST_CASE("the sweep tests legality again where the mesh has changed since it was planned on") {
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::shaken(meshes::torus(24, 14), 0.01, 5));
+  mesh.request_vertex_status();
+  SweepDecimaterT<Mesh> decimater(mesh);
+  ModVertexDistanceT<Mesh>::Handle ivdd;
+  decimater.add(ivdd);
+  decimater.module(ivdd).set_max_distance(0.2);
+  REQUIRE(decimater.initialize());
+  const auto& plan = decimater.module(ivdd).plan();
+  const Mesh::VertexHandle first(static_cast<int>(plan.collapses.front().from));
+  SECTION("a lock") {
+    mesh.status(first).set_locked(true);
+    decimater.decimate();
+    CHECK_FALSE(mesh.status(first).deleted());
+  }
+  SECTION("flipped edges") {
+    std::size_t flipped = 0;
+    for (const auto e : mesh.edges())
+      if (flipped < 40 && mesh.is_flip_ok(e)) mesh.flip(e), ++flipped;
+    const std::size_t collapses = decimater.decimate();
+    CHECK(collapses < plan.collapses.size());
+    mesh.garbage_collection();
+    std::size_t corners = 0;
+    for (const auto f : mesh.faces())
+      for (const auto v : f.vertices()) corners += v.is_valid();
+    CHECK(corners == 3 * mesh.n_faces());
+    CHECK(mesh.n_vertices() == 336 - collapses);
+    CHECK(mesh.n_faces() == 672 - 2 * collapses);
+  }
+}
+
 TEST_CASE("a driver reports why it has missed its target") {
   Mesh mesh = fixture::to_openmesh<Mesh>(meshes::shaken(meshes::torus(24, 14), 0.01, 5));  // 336 vertices
   mesh.request_vertex_status();

@@ -37,6 +37,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   template <typename Module>
   bool add(OpenMesh::Decimater::ModHandleT<Module>& handle) {
     if (!Base::add(handle)) return false;
+    ++n_modules_;
     if (auto* planned = dynamic_cast<PlannedModule*>(&Base::module(handle))) planned_.push_back(planned);
     return true;
   }
@@ -47,7 +48,9 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
       planned_.erase(
           std::remove(planned_.begin(), planned_.end(), dynamic_cast<PlannedModule*>(&Base::module(handle))),
           planned_.end());
-    return Base::remove(handle);
+    const bool removed = Base::remove(handle);
+    n_modules_ -= removed;
+    return removed;
   }
 
   /// Initialises all modules.
@@ -103,6 +106,21 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// The first module with a plan; null if there is none.
   PlannedModule* planned() const { return planned_.empty() ? nullptr : planned_.front(); }
 
+  /// Whether the module with the plan is the only one, and nobody observes the run.
+  bool is_plan_alone() { return n_modules_ == 1 && planned() && !this->observer(); }
+
+  /// Executes a collapse of the plan that is known to be legal, where the plan is alone.
+  void execute_planned(std::size_t rank, HalfedgeHandle h) {
+    const VertexHandle survivor = mesh_.to_vertex_handle(h);
+    --vertices_;
+    faces_ -= planned()->plan().collapses[rank].faces;
+    ++collapses_;
+    planned()->before_collapse(rank, h.idx());
+    connectivity_.collapse(h);
+    if (mesh_.has_face_normals()) update_normals_around(survivor);
+    planned()->after_collapse(rank);
+  }
+
   /// Executes a legal collapse with all that belongs to it.
   void execute(CollapseInfo& ci) {
     --vertices_;
@@ -112,9 +130,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
       connectivity_.collapse(ci.v0v1);
     else
       mesh_.collapse(ci.v0v1);
-    if (mesh_.has_face_normals())
-      for (auto f = mesh_.cvf_iter(ci.v1); f.is_valid(); ++f)
-        mesh_.set_normal(*f, mesh_.calc_face_normal(*f));
+    if (mesh_.has_face_normals()) update_normals_around(ci.v1);
     this->postprocess_collapse(ci);
     halted_ = !this->notify_observer(++collapses_);
   }
@@ -128,6 +144,10 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   struct Target {
     std::size_t collapses, vertices, faces;  ///< at most so many collapses; stop at so many vertices or faces
   };
+
+  void update_normals_around(VertexHandle v) {
+    for (auto f = mesh_.cvf_iter(v); f.is_valid(); ++f) mesh_.set_normal(*f, mesh_.calc_face_normal(*f));
+  }
 
   std::size_t start(const Target& target, bool only_selected) {
     if (!this->is_initialized()) throw NotReady("decimate() before initialize()");
@@ -182,6 +202,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   Target target_{};
   std::vector<PlannedModule*> planned_;  // in the order in which they were added
+  std::size_t n_modules_ = 0;
   std::size_t collapses_ = 0, vertices_ = 0, faces_ = 0;
   bool halted_ = false;
 };

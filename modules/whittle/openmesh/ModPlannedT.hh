@@ -121,9 +121,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   /// \throw InvalidParameter  a tolerance is negative or not finite.
   void initialize() override {
     const MeshT& mesh = this->mesh();
-    const auto indexed = to_indexed(mesh);
+    auto indexed = to_indexed(mesh);
     SurfaceExtras extras;
-    extras.flags = detail::user_flags(mesh);
+    extras.flags = flags_ = detail::user_flags(mesh);
     if (tolerance_.is_valid())
       for (std::size_t v = 0; v < mesh.n_vertices(); ++v)
         extras.tolerance.push_back(
@@ -142,6 +142,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     placed_by_.assign(indexed.points.size(), 0);
     attributes_.take_snapshot(mesh);
     n_planned_vertices_ = indexed.points.size();
+    triangles_ = std::move(indexed.triangles);
   }
 
   const CollapsePlan& plan() override {
@@ -158,21 +159,39 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   void preprocess_collapse(const CollapseInfo& ci) override {
-    if (planned(ci)) attributes_.before(this->mesh(), ci.v0v1);
+    if (const Collapse* collapse = planned(ci)) before_collapse(rank_[collapse->from], ci.v0v1.idx());
+  }
+  void postprocess_collapse(const CollapseInfo& ci) override {
+    if (const Collapse* collapse = planned(ci)) after_collapse(rank_[collapse->from]);
   }
 
-  /// Moves the survivor to its target. OpenMesh refreshes face normals before this call, hence once more
-  /// here.
-  void postprocess_collapse(const CollapseInfo& ci) override {
-    const Collapse* collapse = planned(ci);
-    if (!collapse) return;
-    const std::uint32_t rank = rank_[collapse->from];
+  bool is_fresh() const override {
+    const MeshT& mesh = mesh_ref();
+    if (n_planned_vertices_ != mesh.n_vertices()) return false;
+    if (mesh.has_vertex_status())
+      for (std::size_t v = 0; v < flags_.size(); ++v) {
+        const auto& status = mesh.status(vertex(static_cast<std::uint32_t>(v)));
+        if ((status.locked() || status.feature()) && (flags_[v] & (kLocked | kFeature)) == 0) return false;
+      }
+    auto triangle = triangles_.begin();
+    const bool same = detail::for_each_triangle(
+        mesh, [&](std::size_t, const auto& t) { return triangle != triangles_.end() && *triangle++ == t; });
+    return same && triangle == triangles_.end();
+  }
+
+  void before_collapse(std::size_t /*rank*/, int halfedge) override {
+    attributes_.before(this->mesh(), typename MeshT::HalfedgeHandle(halfedge));
+  }
+  /// Moves the survivor to its target. Drivers refresh face normals before this call, hence once more here.
+  void after_collapse(std::size_t rank) override {
     executed_[rank] = true;
-    const bool moved = place_survivor(ci, rank);
+    const bool moved = place_survivor(rank);
     auto& mesh = this->mesh();
-    attributes_.after(mesh, ci.v0, ci.v1, moved);
+    const Collapse& collapse = plan_.collapses[rank];
+    attributes_.after(mesh, vertex(collapse.from), vertex(collapse.to), moved);
     if (!moved || !mesh.has_face_normals()) return;
-    for (auto f = mesh.cvf_iter(ci.v1); f.is_valid(); ++f) mesh.set_normal(*f, mesh.calc_face_normal(*f));
+    for (auto f = mesh.cvf_iter(vertex(collapse.to)); f.is_valid(); ++f)
+      mesh.set_normal(*f, mesh.calc_face_normal(*f));
   }
 
   /// What has become of the plan. Ask before garbage collection, while the mesh has vertex and edge status.
@@ -242,6 +261,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     return typename MeshT::VertexHandle(static_cast<int>(v));
   }
 
+  const MeshT& mesh_ref() const { return const_cast<ModPlannedT*>(this)->ModBase::mesh(); }
+
   const Collapse* planned(const CollapseInfo& ci) {
     plan();
     const std::uint32_t rank = rank_[static_cast<std::size_t>(ci.v0.idx())];
@@ -252,32 +273,33 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
 
   /// Moves the survivor of a collapse that has been executed to where its cluster, or the part of it that has
   /// merged by now, belongs. \return whether it has moved
-  bool place_survivor(const CollapseInfo& ci, std::uint32_t rank) {
+  bool place_survivor(std::size_t rank) {
     const Collapse& collapse = plan_.collapses[rank];
+    const auto v0 = vertex(collapse.from), v1 = vertex(collapse.to);
     // A decimater that does not go by rank may come to a stage's collapse after those of a later stage.
-    const std::uint32_t last = rank + collapse.rest;
+    const auto last = static_cast<std::uint32_t>(rank) + collapse.rest;
     std::uint32_t& placed_by = placed_by_[collapse.to];
     if (last < placed_by) return false;
     placed_by = last;
 
     using Point = Eigen::Matrix<typename MeshT::Scalar, 3, 1>;
     auto& mesh = this->mesh();
-    auto p = mesh.point(ci.v1);
+    auto p = mesh.point(v1);
     const Point before(p[0], p[1], p[2]);
     Point after = collapse.target.template cast<typename MeshT::Scalar>();
     if (const std::size_t merged = n_merged(rank); merged > 0) {
-      const auto& from = mesh.point(ci.v0);
+      const auto& from = mesh.point(v0);
       after = detail::place_of_part<typename MeshT::Scalar>(before, {from[0], from[1], from[2]},
                                                             collapse.target, merged);
     }
     if (after == before) return false;
     for (std::uint32_t i = 0; i < 3; ++i) p[i] = after[i];
-    mesh.set_point(ci.v1, p);
+    mesh.set_point(v1, p);
     return true;
   }
 
   /// How many vertices of a cluster its survivor stands for, itself included; 0 if that is all of them.
-  std::size_t n_merged(std::uint32_t rank) const {
+  std::size_t n_merged(std::size_t rank) const {
     const auto& collapses = plan_.collapses;
     const std::size_t last = rank + collapses[rank].rest;
     std::size_t first = rank;
@@ -305,6 +327,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   CollapsePlan plan_;
   std::vector<std::uint32_t> rank_;  // of the collapse that removes a vertex
   std::vector<bool> executed_;       // for each collapse of the plan
+  std::vector<std::uint8_t> flags_;  // of each vertex when it was made
+  std::vector<typename IndexedMeshT<typename MeshT::Scalar>::Triangle> triangles_;  // of the mesh then
   std::vector<std::uint32_t>
       placed_by_;  // for each survivor the last rank of the latest cluster that has moved it
   detail::SurvivorAttributesT<MeshT> attributes_;

@@ -2,6 +2,8 @@
 /// What a driver asks of a module that has a plan.
 #pragma once
 
+#include <cstddef>
+
 #include "whittle/plan/CollapsePlan.hh"
 
 namespace whittle {
@@ -15,6 +17,15 @@ class PlannedModule {
   /// Whether its own parameters say where to stop. Of Whittle's planners only mq, without a target or a bound, has no
   /// end of its own.
   virtual bool has_end() const = 0;
+
+  // A driver that carries the plan out alone, without asking any module for priorities, uses these.
+
+  /// Whether the mesh still has the faces that the plan was made for, and no further locked or feature vertices. Then
+  /// every planned collapse is legal in its turn.
+  virtual bool is_fresh() const = 0;
+  /// Before and after the collapse of that rank. \param halfedge  its index in the mesh
+  virtual void before_collapse(std::size_t rank, int halfedge) = 0;
+  virtual void after_collapse(std::size_t rank) = 0;
 };
 
 }  // namespace whittle

@@ -12,8 +12,35 @@
 
 namespace whittle {
 
+namespace detail {
+
+/// Calls `visit(f, triangle)` for each face that is not deleted, until it returns false.
+/// \return whether it never did
+/// \throw InvalidMesh  a face is not a triangle.
+template <typename Mesh, typename Visit>
+bool for_each_triangle(const Mesh& mesh, Visit visit) {
+  const bool has_status = mesh.has_face_status();
+  for (std::size_t f = 0; f < mesh.n_faces(); ++f) {
+    const typename Mesh::FaceHandle face(static_cast<int>(f));
+    if (has_status && mesh.status(face).deleted()) continue;
+    const auto first = mesh.halfedge_handle(face);
+    auto h = first;
+    typename IndexedMeshT<typename Mesh::Scalar>::Triangle triangle;
+    for (std::uint32_t& corner : triangle) {
+      corner = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
+      h = mesh.next_halfedge_handle(h);
+    }
+    if (h != first) throw InvalidMesh("face " + std::to_string(f) + " is not a triangle");
+    if (!visit(f, triangle)) return false;
+  }
+  return true;
+}
+
+}  // namespace detail
+
 /// The points and faces of an OpenMesh mesh. Vertices keep their indices, deleted ones included, so that a
-/// plan can be looked up by handle; deleted faces are left out. \throw InvalidMesh  a face is not a triangle.
+/// plan can be looked up by handle; deleted faces are left out.
+/// \throw InvalidMesh  a face is not a triangle.
 template <typename Mesh>
 IndexedMeshT<typename Mesh::Scalar> to_indexed(const Mesh& mesh) {
   detail::require_points_in_space<Mesh>();
@@ -24,19 +51,10 @@ IndexedMeshT<typename Mesh::Scalar> to_indexed(const Mesh& mesh) {
     const auto& p = mesh.point(typename Mesh::VertexHandle(static_cast<int>(v)));
     out.points.emplace_back(p[0], p[1], p[2]);
   }
-  for (std::size_t f = 0; f < mesh.n_faces(); ++f) {
-    const typename Mesh::FaceHandle face(static_cast<int>(f));
-    if (mesh.has_face_status() && mesh.status(face).deleted()) continue;
-    auto h = mesh.halfedge_handle(face);
-    typename IndexedMeshT<typename Mesh::Scalar>::Triangle triangle;
-    for (std::uint32_t& corner : triangle) {
-      corner = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
-      h = mesh.next_halfedge_handle(h);
-    }
-    if (h != mesh.halfedge_handle(face))
-      throw InvalidMesh("face " + std::to_string(f) + " is not a triangle");
+  detail::for_each_triangle(mesh, [&](std::size_t, const auto& triangle) {
     out.triangles.push_back(triangle);
-  }
+    return true;
+  });
   return out;
 }
 
