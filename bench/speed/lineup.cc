@@ -49,6 +49,7 @@ std::vector<Entry> truthful(const Subject& subject) {
     shares.push_back({name, static_cast<std::size_t>(part * static_cast<double>(subject.n_faces()))});
   std::vector<Entry> entries = mq_entries(shares);
   append(entries, mq_entries(shares, 1));
+  append(entries, sweep_mq_entries(shares));
   append(entries, peer_entries({peers::meshopt()}, shares));
 #ifdef WHITTLE_WITH_CGAL
   append(entries, peer_entries({peers::cgal_lindstrom_turk()}, shares));

@@ -47,11 +47,14 @@ class SweepDecimaterT : public DriverT<MeshT> {
   /// The plan is alone on the mesh that it was made for: every collapse is legal in its turn.
   void run_proved() {
     const std::vector<Collapse>& collapses = this->planned()->plan().collapses;
-    detail::RingPrefetchT<Mesh> ahead(this->mesh_);
-    for (std::size_t i = 0; i < collapses.size() && !this->finished(); ++i) {
-      if (i + ahead.kAhead < collapses.size()) announce(collapses[i + ahead.kAhead], ahead);
-      this->execute_planned(i, find(collapses[i]));
+    detail::RingPrefetchT<Mesh, false> ahead(this->mesh_);
+    const bool one_by_one = this->planned()->watches_collapses();
+    std::size_t n = 0;
+    for (; n < collapses.size() && !this->finished(); ++n) {
+      if (n + ahead.kAhead < collapses.size()) announce(collapses[n + ahead.kAhead], ahead);
+      this->execute_planned(n, collapses[n].faces, find(collapses[n]), one_by_one);
     }
+    if (!one_by_one) this->planned()->after_collapses(n);
   }
 
   /// Asks other modules and tests legality.
@@ -65,7 +68,7 @@ class SweepDecimaterT : public DriverT<MeshT> {
     // What another module refuses now, it may allow once the neighbourhood has changed.
     for (std::size_t before = pending.size() + 1; pending.size() < before;) {
       before = pending.size();
-      detail::RingPrefetchT<Mesh> ahead(this->mesh_);
+      detail::RingPrefetchT<Mesh, true> ahead(this->mesh_);
       auto still = pending.begin();
       for (std::size_t i = 0; i < before; ++i) {
         if (this->finished()) return;
@@ -78,7 +81,8 @@ class SweepDecimaterT : public DriverT<MeshT> {
     this->report_.refused = pending.size();
   }
 
-  static void announce(const Collapse& later, detail::RingPrefetchT<Mesh>& ahead) {
+  template <typename Prefetch>
+  static void announce(const Collapse& later, Prefetch& ahead) {
     ahead.announce(VertexHandle(static_cast<int>(later.from)), VertexHandle(static_cast<int>(later.to)));
   }
   HalfedgeHandle find(const Collapse& collapse) const {

@@ -110,15 +110,15 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   bool is_plan_alone() { return n_modules_ == 1 && planned() && !this->observer(); }
 
   /// Executes a collapse of the plan that is known to be legal, where the plan is alone.
-  void execute_planned(std::size_t rank, HalfedgeHandle h) {
-    const VertexHandle survivor = mesh_.to_vertex_handle(h);
+  /// \param faces  that vanish with it
+  /// \param tell   whether the module is told of it; otherwise the caller does that when all is done.
+  void execute_planned(std::size_t rank, std::size_t faces, HalfedgeHandle h, bool tell) {
     --vertices_;
-    faces_ -= planned()->plan().collapses[rank].faces;
+    faces_ -= faces;
     ++collapses_;
-    planned()->before_collapse(rank, h.idx());
+    if (tell) planned()->before_collapse(h.idx());
     connectivity_.collapse(h);
-    if (mesh_.has_face_normals()) update_normals_around(survivor);
-    planned()->after_collapse(rank);
+    if (tell) planned()->after_collapse(rank);
   }
 
   /// Executes a legal collapse with all that belongs to it.

@@ -159,10 +159,17 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   void preprocess_collapse(const CollapseInfo& ci) override {
-    if (const Collapse* collapse = planned(ci)) before_collapse(rank_[collapse->from], ci.v0v1.idx());
+    if (planned(ci)) before_collapse(ci.v0v1.idx());
   }
   void postprocess_collapse(const CollapseInfo& ci) override {
     if (const Collapse* collapse = planned(ci)) after_collapse(rank_[collapse->from]);
+  }
+
+  void after_collapses(std::size_t n) override {
+    for (std::size_t rank = 0; rank < n; ++rank) {
+      executed_[rank] = true;
+      place_survivor(rank);
+    }
   }
 
   bool is_fresh() const override {
@@ -179,17 +186,18 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     return same && triangle == triangles_.end();
   }
 
-  void before_collapse(std::size_t /*rank*/, int halfedge) override {
+  bool watches_collapses() const override { return mesh_ref().has_face_normals() || !attributes_.empty(); }
+  void before_collapse(int halfedge) override {
     attributes_.before(this->mesh(), typename MeshT::HalfedgeHandle(halfedge));
   }
-  /// Moves the survivor to its target. Drivers refresh face normals before this call, hence once more here.
+  /// Moves the survivor to its target, and refreshes the normals of the faces around it.
   void after_collapse(std::size_t rank) override {
     executed_[rank] = true;
     const bool moved = place_survivor(rank);
     auto& mesh = this->mesh();
     const Collapse& collapse = plan_.collapses[rank];
     attributes_.after(mesh, vertex(collapse.from), vertex(collapse.to), moved);
-    if (!moved || !mesh.has_face_normals()) return;
+    if (!mesh.has_face_normals()) return;
     for (auto f = mesh.cvf_iter(vertex(collapse.to)); f.is_valid(); ++f)
       mesh.set_normal(*f, mesh.calc_face_normal(*f));
   }

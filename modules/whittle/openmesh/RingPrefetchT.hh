@@ -11,7 +11,8 @@ namespace whittle::detail {
 /// a walk around a vertex finds each half-edge through the one before it, so every step would wait for memory.
 /// Here the walks of several collapses are under way at once, each a step further with every collapse. Only
 /// time depends on it.
-template <typename Mesh>
+/// \tparam both_ends  whether the ring of the survivor is walked around, too, as the test of legality does.
+template <typename Mesh, bool both_ends>
 class RingPrefetchT {
  public:
   using VertexHandle = typename Mesh::VertexHandle;
@@ -32,12 +33,12 @@ class RingPrefetchT {
     Walk& begun = walks_[(newest_ + kAhead - kBegin) % kAhead];
     if (begun.from.is_valid()) {
       begun.around_from = mesh_.halfedge_handle(begun.from);
-      begun.around_to = mesh_.halfedge_handle(begun.to);
+      if (both_ends) begun.around_to = mesh_.halfedge_handle(begun.to);
     }
     for (std::size_t age = kBegin; age < kBegin + kSteps; ++age) {
       Walk& walk = walks_[(newest_ + kAhead - age) % kAhead];
       step(walk.around_from, age > kBegin);
-      step(walk.around_to, age > kBegin);
+      if (both_ends) step(walk.around_to, age > kBegin);
     }
   }
 

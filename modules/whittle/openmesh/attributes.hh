@@ -28,6 +28,8 @@ class SurvivorAttributesT {
   /// \param mesh  of triangles
   void take_snapshot(const Mesh& mesh);
 
+  bool empty() const { return !has_vertices_ && !has_corners_; }
+
   /// Before the collapse of a half-edge.
   void before(const Mesh& mesh, HalfedgeHandle v0v1);
 
