@@ -23,6 +23,8 @@ std::vector<Entry> bulk_entries(const Subject& subject);
 std::vector<Entry> mq_entries(const std::vector<Target>& targets, std::size_t threads = 0);
 /// Planned modules in the sweep.
 std::vector<Entry> sweep_entries(const Subject& subject);
+/// mq as a module in the sweep, to a number of faces.
+std::vector<Entry> sweep_mq_entries(const std::vector<Target>& targets);
 /// Planned modules in LazyDecimaterT and in OpenMesh's DecimaterT.
 std::vector<Entry> planned_decimater_entries(const Subject& subject);
 /// ModQuadricT, alone and with ModNormalFlippingT, in LazyDecimaterT and in OpenMesh's decimaters.
