@@ -22,6 +22,15 @@ void add_target(CLI::App& command, RecipeOptions& options) {
   faces->excludes(vertices);
 }
 
+/// "auto, bulk, … or mc"
+std::string driver_names() {
+  std::string text;
+  const auto& all = recipe::drivers();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < all.size() ? ", " : " or ") + std::string(all[i].name);
+  return text;
+}
+
 /// The importance of each vertex as a factor of thresholds: what counts twice may move half as far.
 std::vector<float> tolerances(const std::string& name, const files::MeshFile& in) {
   constexpr float kFree = 1e6f;
@@ -74,8 +83,7 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
       .add_option("--delaunay", options.delaunay,
                   "Retriangulate at the end, by flips of edges no sharper than DEGREES; 20 keeps the shape")
       ->type_name("DEGREES");
-  command.add_option("--driver", options.driver, "auto, bulk, sweep, lazy, decimater or mc")
-      ->capture_default_str();
+  command.add_option("--driver", options.driver, driver_names())->capture_default_str();
   command
       .add_option("--repair", options.repair, "What to do about damage: none, report (say it), fix (mend it)")
       ->check(CLI::IsMember({"none", "report", "fix"}))
@@ -95,7 +103,7 @@ recipe::Recipe make_recipe(const RecipeOptions& options) {
     if (!recipe.target.any() && !recipe.max_distance)
       throw recipe::RecipeError(
           "--module is required where neither --ratio, --faces, --vertices nor --max-distance is given");
-    recipe.modules.push_back(recipe::parse_spec("mq"));
+    recipe.modules.push_back(recipe::default_module());
   }
   recipe.driver = recipe::parse_driver(options.driver);
   recipe.delaunay = options.delaunay;

@@ -6,6 +6,7 @@
 
 #include "cli/commands.hh"
 #include "recipe/Catalogue.hh"
+#include "recipe/Recipe.hh"
 
 namespace whittle::cli {
 namespace {
@@ -39,6 +40,12 @@ std::vector<std::string> modules() {
   return out;
 }
 
+std::vector<std::string> drivers() {
+  std::vector<std::string> out;
+  for (const auto& driver : recipe::drivers()) out.emplace_back(driver.name);
+  return out;
+}
+
 /// The values that an option can have, where that is known.
 struct Choice {
   const char* option;
@@ -47,7 +54,7 @@ struct Choice {
 
 std::vector<Choice> choices() {
   return {{"--module", modules()},
-          {"--driver", {"auto", "bulk", "sweep", "lazy", "decimater", "mc"}},
+          {"--driver", drivers()},
           {"--repair", {"none", "report", "fix"}},
           {"--lock", {"boundary", "feature:", "selection:"}},
           {"--format", {"obj", "ply", "off", "stl", "om", "glb"}}};

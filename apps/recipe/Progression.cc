@@ -1,6 +1,7 @@
 #include "recipe/Progression.hh"
 
 #include "attributes/transfer.hh"
+#include "recipe/Catalogue.hh"
 #include "recipe/Stopwatch.hh"
 #include "recipe/flips.hh"
 #include "whittle/plan/execute.hh"
@@ -10,7 +11,7 @@ namespace {
 
 Recipe down_to_nothing() {
   Recipe recipe;
-  recipe.modules = {parse_spec("mq")};
+  recipe.modules = {default_module()};
   recipe.target.faces = 1;
   return recipe;
 }
@@ -36,7 +37,7 @@ Result Progression::at(std::size_t faces) const {
     result.attributes =
         attributes::transfer(*attributes_, {mesh_, executed.mesh, executed.vertex_map, executed.face_origin});
   StageResult stage;
-  stage.module = "mq";
+  stage.module = default_module().text();
   stage.driver = Driver::bulk;
   stage.passes = 1;
   stage.faces_before = mesh_.triangles.size();

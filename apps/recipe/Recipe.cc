@@ -8,23 +8,20 @@
 #include "attributes/values.hh"
 #include "measure/Excess.hh"
 #include "recipe/Catalogue.hh"
+#include "recipe/Stage.hh"
 #include "recipe/flips.hh"
-#include "recipe/run_stages.hh"
+#include "recipe/openmesh.hh"
 
 namespace whittle::recipe {
 namespace {
 
-constexpr std::pair<Driver, const char*> kDrivers[] = {
-    {Driver::automatic, "auto"}, {Driver::bulk, "bulk"},           {Driver::sweep, "sweep"},
-    {Driver::lazy, "lazy"},      {Driver::decimater, "decimater"}, {Driver::mc, "mc"}};
-
-/// What the first module weighs of the attributes.
+/// What a module weighs of the attributes.
 ValueWeights value_weights(const Spec& module, const Scale& scale) {
   const auto weight = [&](const char* key) { return module.length(key, scale).value_or(0); };
   return {weight("normals"), weight("colours"), weight("texture")};
 }
 
-void add_values(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+void add_values(const IndexedMesh& mesh, const attributes::Attributes& attributes, const Spec& module,
                 const ValueWeights& weights, SurfaceExtras& extras) {
   using attributes::Kind;
   constexpr std::pair<Kind, const char*> kKinds[] = {
@@ -32,7 +29,7 @@ void add_values(const IndexedMesh& mesh, const attributes::Attributes& attribute
   for (const auto& [kind, name] : kKinds)
     if (weight_of(kind, weights) > 0 &&
         std::none_of(attributes.begin(), attributes.end(), [k = kind](const auto& a) { return a.kind == k; }))
-      throw RecipeError(std::string("module 'mq': the mesh has no ") + name);
+      throw RecipeError("module '" + module.name + "': the mesh has no " + name);
   auto values = attributes::weighted_values(mesh, attributes, weights);
   extras.values = std::move(values.values);
   extras.n_values = values.count;
@@ -46,7 +43,8 @@ SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& s
   extras.tolerance = givens.tolerance;
   const ValueWeights weights = value_weights(module, scale);
   if (weights.any())
-    add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), weights, extras);
+    add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), module, weights,
+               extras);
   if (!givens.attributes) return extras;
   const auto seams = attributes::seam_flags(mesh, *givens.attributes);
   extras.flags.resize(mesh.points.size(), 0);
@@ -62,11 +60,24 @@ std::size_t count_held(const SurfaceExtras& extras) {
   return held;
 }
 
-Work make_work(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
+Floor floor_of(const Target& target, const IndexedMesh& mesh) {
+  Floor floor;
+  if (target.ratio)
+    floor.faces = std::max<std::size_t>(
+        1, static_cast<std::size_t>(*target.ratio * static_cast<double>(mesh.triangles.size())));
+  if (target.faces) floor.faces = *target.faces;
+  if (target.vertices) floor.vertices = *target.vertices;
+  return floor;
+}
+
+Task make_task(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
   check(recipe);
   const Scale scale = measure_scale(mesh);
-  return {mesh,   group(recipe.modules),           recipe.driver,
-          scale,  make_floor(recipe.target, mesh), extras(mesh, recipe.modules.front(), scale, givens),
+  return {mesh,
+          stages_of(recipe),
+          scale,
+          floor_of(recipe.target, mesh),
+          extras(mesh, recipe.modules.front(), scale, givens),
           monitor};
 }
 
@@ -87,23 +98,47 @@ void retriangulate_result(const IndexedMesh& input, const Recipe& recipe, std::o
   }
   result.attributes = attributes::rewedged(result.attributes, before, after);
   result.mesh = std::move(mesh);
+  result.face_origin.clear();
+}
+
+/// \throw RecipeError  a stage that cannot run.
+void check_stage(const Stage& stage, bool has_end) {
+  const Module& module = find_module(stage.module.name);
+  if (stage.index > 0 && value_weights(stage.module, {1, 1}).any())
+    throw RecipeError("module '" + module.name +
+                      "' can weigh normals, colours and texture only as the first module");
+  if (stage.is_planned()) module.make_planner(stage.module, {1, 1}, {});
+  const bool is_bounded = !module.bound.empty() && stage.module.has(module.bound);
+  if (has_end || is_bounded || module.ends_by_itself || has_threshold(stage.module)) return;
+  throw RecipeError("module '" + module.name + "' needs " +
+                    (module.threshold.empty() ? "" : module.threshold + "=... or ") + "a target");
 }
 
 }  // namespace
 
+const std::vector<DriverInfo>& drivers() {
+  static const std::vector<DriverInfo> all = {{Driver::automatic, "auto", "the fastest that can"},
+                                              {Driver::bulk, "bulk", "the plan on flat arrays"},
+                                              {Driver::sweep, "sweep", "SweepDecimaterT"},
+                                              {Driver::lazy, "lazy", "LazyDecimaterT"},
+                                              {Driver::decimater, "decimater", "OpenMesh's DecimaterT"},
+                                              {Driver::mc, "mc", "OpenMesh's McDecimaterT"}};
+  return all;
+}
+
 Driver parse_driver(const std::string& name) {
   std::string known;
-  for (const auto& [driver, driver_name] : kDrivers) {
-    if (name == driver_name) return driver;
-    known += (known.empty() ? "" : ", ") + std::string(driver_name);
+  for (const DriverInfo& info : drivers()) {
+    if (name == info.name) return info.driver;
+    known += (known.empty() ? "" : ", ") + std::string(info.name);
   }
   throw RecipeError("unknown driver '" + name + "'; there are " + known);
 }
 
 std::string to_string(Driver driver) {
-  for (const auto& [known, name] : kDrivers)
-    if (known == driver) return name;
-  return "?";
+  const auto& all = drivers();
+  return std::find_if(all.begin(), all.end(), [&](const DriverInfo& info) { return info.driver == driver; })
+      ->name;
 }
 
 Scale measure_scale(const IndexedMesh& mesh) {
@@ -124,18 +159,7 @@ Scale measure_scale(const IndexedMesh& mesh) {
 }
 
 void check(const Recipe& recipe) {
-  const bool has_end = recipe.target.any() || recipe.max_distance;
-  for (const Stage& stage : group(recipe.modules)) {
-    if (value_weights(stage.module, {1, 1}).any() && stage.module.text() != recipe.modules.front().text())
-      throw RecipeError("module 'mq' can weigh normals, colours and texture only as the first module");
-    choose_driver(recipe.driver, stage);
-    if (stage.is_planned()) make_planner(stage.module, {1, 1});
-    const bool is_bounded = stage.module.has("max-distance");
-    if (!has_threshold(stage.module) && !has_default_threshold(stage.module) && !has_end && !is_bounded)
-      throw RecipeError(
-          "module '" + stage.module.name + "' needs " +
-          (threshold_key(stage.module).empty() ? "" : threshold_key(stage.module) + "=... or ") + "a target");
-  }
+  for (const Stage& stage : stages_of(recipe)) check_stage(stage, recipe.target.any() || recipe.max_distance);
   if (recipe.target.ratio && !(*recipe.target.ratio > 0 && *recipe.target.ratio < 1))
     throw RecipeError("the ratio must lie between 0 and 1, both ends excluded");
   if (recipe.delaunay && !(*recipe.delaunay >= 0 && *recipe.delaunay <= 180))
@@ -143,44 +167,28 @@ void check(const Recipe& recipe) {
 }
 
 Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
-  const Work work = make_work(mesh, recipe, monitor, givens);
-  Result result;
-  result.held = count_held(work.extras);
+  const Task task = make_task(mesh, recipe, monitor, givens);
   std::optional<double> bound;
-  Ran ran;
-  if (recipe.max_distance) {
-    bound = recipe.max_distance->in(work.scale);
-    BoundedRan bounded = run_bounded(work, *bound);
-    result.distance = bounded.distance;
-    result.bound_held = bounded.held;
-    result.held_by_bound = bounded.held_vertices;
-    result.stopped_by_bound = bounded.stopped;
-    ran = std::move(bounded);
-  } else {
-    ran = run_stages(work);
-  }
-  result.stages = std::move(ran.stages);
-  result.flipped_faces = count_flips(mesh, ran.sum.mesh, ran.sum.face_origin);
-  result.refused_faces = ran.sum.refused_faces;
+  if (recipe.max_distance) bound = recipe.max_distance->in(task.scale);
+  Result result = bound ? run_bounded(task, *bound) : run_stages(task);
+  result.held = count_held(task.extras);
+  result.flipped_faces = count_flips(mesh, result.mesh, result.face_origin);
   if (givens.attributes)
-    result.attributes = attributes::transfer(*givens.attributes,
-                                             {mesh, ran.sum.mesh, ran.sum.vertex_map, ran.sum.face_origin});
-  result.mesh = std::move(ran.sum.mesh);
+    result.attributes =
+        attributes::transfer(*givens.attributes, {mesh, result.mesh, result.vertex_map, result.face_origin});
   if (recipe.delaunay) retriangulate_result(mesh, recipe, bound, result);
-  result.vertex_map = std::move(ran.sum.vertex_map);
-  result.target_reached = !work.floor.any() || work.floor.reached(result.mesh);
+  result.target_reached = !task.floor.any() || task.floor.reached(result.mesh);
   return result;
 }
 
 CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor,
                   const Givens& givens) {
-  const Work work = make_work(mesh, recipe, monitor, givens);
-  const ReadyStage ready = prepare(work, 0, mesh, work.extras);
-  if (!ready.planner || work.floor.reached(mesh)) return {{}, {0}, {}};
-  const bool at_once = ready.stage.constraints.empty();
-  CollapsePlan plan =
-      make_plan(mesh, work.extras, ready.job(work, 0), at_once ? ready.max_passes : 1).collapses;
-  plan.collapses.resize(collapses_to_floor(plan, mesh, work.floor));
+  const Task task = make_task(mesh, recipe, monitor, givens);
+  Stage stage = task.stages.front();
+  if (!stage.is_planned() || task.floor.reached(mesh)) return {{}, {0}, {}};
+  find_threshold(task, stage, mesh, task.extras);
+  CollapsePlan plan = plan_stage(task, stage, mesh, task.extras).plan;
+  plan.collapses.resize(collapses_to_floor(plan, mesh, task.floor));
   return plan;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "attributes/Attribute.hh"
+#include "recipe/Decimated.hh"
 #include "recipe/Spec.hh"
 #include "whittle/DelaunayFlips.hh"
 #include "whittle/plan/CollapsePlan.hh"
@@ -25,11 +26,19 @@ namespace whittle::recipe {
 /// constraints, lazy for stock priority modules. `decimater` and `mc` are OpenMesh's own.
 enum class Driver { automatic, bulk, sweep, lazy, decimater, mc };
 
+/// A driver as recipes name it, and what it is, in a few words.
+struct DriverInfo {
+  Driver driver;
+  const char* name;
+  const char* meaning;
+};
+const std::vector<DriverInfo>& drivers();
+
 /// The driver of that name. \throw RecipeError
 Driver parse_driver(const std::string& name);
 std::string to_string(Driver driver);
 
-/// When to stop; without any, a stage goes as far as its threshold takes it.
+/// When to stop; without any, each module goes as far as its threshold takes it.
 struct Target {
   std::optional<double> ratio;          ///< of the faces, in (0, 1)
   std::optional<std::size_t> faces;     ///< at most this many
@@ -37,8 +46,10 @@ struct Target {
   bool any() const { return ratio || faces || vertices; }
 };
 
+/// What is done to a mesh. The modules make stages that run one after the other: each module that decimates
+/// begins one, and stock binary modules constrain the one before them.
 struct Recipe {
-  std::vector<Spec> modules;  ///< in order; stock binary modules constrain the stage before them
+  std::vector<Spec> modules;  ///< in order
   Target target;
   /// A bound on the two-sided distance to the input, sampled as measure::distance does. It holds for every
   /// module; where the target cannot be reached within it, the target is missed. A module without threshold
@@ -63,11 +74,11 @@ struct StageResult {
   double plan_seconds = 0, execute_seconds = 0;
 };
 
-struct Result {
-  IndexedMesh mesh;
+/// The mesh that a recipe leaves, where its parts come from, and how that went. After a retriangulation faces
+/// are no longer those of the input, and `face_origin` is empty.
+struct Result : Decimated {
   attributes::Attributes attributes;  ///< of `mesh`, where some were given
   std::vector<StageResult> stages;
-  std::vector<std::uint32_t> vertex_map;  ///< for each input vertex the output vertex that it became
   std::optional<double> distance;  ///< largest distance to the input, model units, where there was a bound
   bool bound_held = true;          ///< false: faces that OpenMesh could not take are missing, and lie too far
   std::size_t held_by_bound = 0;   ///< input vertices that were kept in place for the bound's sake
@@ -77,7 +88,6 @@ struct Result {
   DelaunayFlipsReport delaunay;          ///< of the retriangulation, if there was one
   std::size_t flipped_faces = 0;  ///< faces turned by more than 90 degrees against their own original normal,
                                   ///< before the retriangulation
-  std::size_t refused_faces = 0;  ///< input faces that OpenMesh could not take (non-manifold), left out
   bool target_reached = true;     ///< false: see reasons()
 };
 

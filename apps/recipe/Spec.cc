@@ -1,32 +1,25 @@
 #include "recipe/Spec.hh"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "recipe/Catalogue.hh"
+#include "recipe/number.hh"
+#include "text/number.hh"
 
 namespace whittle::recipe {
 namespace {
 
-/// A number with what follows it; nothing where the text does not begin with a finite number.
-std::optional<std::pair<double, std::string>> split_number(const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-  return std::pair(value, std::string(rest, end));
+std::optional<Unit> unit_of(const std::string& suffix_of_number) {
+  for (const Unit unit : {Unit::model, Unit::edges, Unit::percent})
+    if (suffix_of_number == suffix(unit)) return unit;
+  return std::nullopt;
 }
 
-std::string shortest(double value) {
-  char buffer[32];
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return error == std::errc() ? std::string(buffer, end) : std::string("?");
-}
-
-void check_unit(const std::string& where, const std::string& unit) {
-  if (!unit.empty() && unit != "e" && unit != "%")
-    throw RecipeError(where + ": unknown unit '" + unit + "'; lengths are 0.0012, 0.8e (mean edges) or 0.5%");
+Unit known_unit(const std::string& where, const std::string& suffix_of_number) {
+  if (const auto unit = unit_of(suffix_of_number)) return *unit;
+  throw RecipeError(where + ": unknown unit '" + suffix_of_number +
+                    "'; lengths are 0.0012, 0.8e (mean edges) or 0.5%");
 }
 
 void check_value(const std::string& module, const Key& key, const std::string& value) {
@@ -37,11 +30,11 @@ void check_value(const std::string& module, const Key& key, const std::string& v
     for (const std::string& choice : key.choices) all += (all.empty() ? "" : " or ") + choice;
     throw RecipeError(where + " is not " + all);
   }
-  const auto number = split_number(value);
+  const auto number = leading_number(value);
   if (!number) throw RecipeError(where + " is not a number");
   const auto& [amount, unit] = *number;
   if (key.kind == KeyKind::length) {
-    check_unit(where, unit);
+    known_unit(where, unit);
   } else if (!unit.empty()) {
     throw RecipeError(where + " is not a plain number");
   }
@@ -49,11 +42,42 @@ void check_value(const std::string& module, const Key& key, const std::string& v
     throw RecipeError(where + " is not a whole number");
   if (amount < key.min || amount > key.max)
     throw RecipeError(where + " is out of range; " +
-                      (std::isinf(key.max) ? "at least " + shortest(key.min)
-                                           : "from " + shortest(key.min) + " to " + shortest(key.max)));
+                      (std::isinf(key.max)
+                           ? "at least " + text::shortest(key.min)
+                           : "from " + text::shortest(key.min) + " to " + text::shortest(key.max)));
+}
+
+const Key& known_key(const Module& module, const std::string& name) {
+  if (const Key* key = module.find(name)) return *key;
+  std::string known;
+  for (const Key& key : module.keys) known += (known.empty() ? "" : ", ") + key.name;
+  throw RecipeError("module '" + module.name + "': unknown key '" + name + "'; " +
+                    (known.empty() ? "it has none" : "there are " + known));
 }
 
 }  // namespace
+
+const char* suffix(Unit unit) {
+  return unit == Unit::edges ? "e" : unit == Unit::percent ? "%" : "";
+}
+
+double Length::in(const Scale& scale) const {
+  if (unit == Unit::edges) return amount * scale.mean_edge;
+  if (unit == Unit::percent) return amount / 100 * scale.diagonal;
+  return amount;
+}
+
+std::string Length::text() const {
+  return text::shortest(amount) + suffix(unit);
+}
+
+Length parse_length(const std::string& text) {
+  const auto number = leading_number(text);
+  if (!number) throw RecipeError("'" + text + "' is not a length");
+  const Unit unit = known_unit("'" + text + "'", number->second);
+  if (number->first < 0) throw RecipeError("'" + text + "' is negative");
+  return {number->first, unit};
+}
 
 const std::string* Spec::find(const std::string& key) const {
   for (const auto& [name_of_key, value] : parameters)
@@ -67,32 +91,29 @@ std::optional<std::string> Spec::word(const std::string& key) const {
 }
 
 std::optional<double> Spec::number(const std::string& key) const {
-  return length(key, {1, 100});
+  const std::string* value = find(key);
+  return value ? std::optional(leading_number(*value).value().first) : std::nullopt;
 }
 
 std::optional<double> Spec::length(const std::string& key, const Scale& scale) const {
   const std::string* value = find(key);
   if (!value) return std::nullopt;
-  const auto [amount, unit] = split_number(*value).value();
-  return Length{amount, unit}.in(scale);
+  const auto [amount, unit] = leading_number(*value).value();
+  return Length{amount, unit_of(unit).value()}.in(scale);
 }
 
-double Length::in(const Scale& scale) const {
-  if (unit == "e") return amount * scale.mean_edge;
-  if (unit == "%") return amount / 100 * scale.diagonal;
-  return amount;
+void Spec::set(const std::string& key, const std::string& value) {
+  for (auto& [name_of_key, old] : parameters)
+    if (name_of_key == key) {
+      old = value;
+      return;
+    }
+  parameters.emplace_back(key, value);
 }
 
-std::string Length::text() const {
-  return shortest(amount) + unit;
-}
-
-Length parse_length(const std::string& text) {
-  const auto number = split_number(text);
-  if (!number) throw RecipeError("'" + text + "' is not a length");
-  check_unit("'" + text + "'", number->second);
-  if (number->first < 0) throw RecipeError("'" + text + "' is negative");
-  return {number->first, number->second};
+void Spec::clear(const std::string& key) {
+  const auto is_it = [&](const auto& parameter) { return parameter.first == key; };
+  parameters.erase(std::remove_if(parameters.begin(), parameters.end(), is_it), parameters.end());
 }
 
 std::string Spec::text() const {
@@ -106,7 +127,7 @@ Spec parse_spec(const std::string& text) {
   Spec spec;
   const std::size_t colon = text.find(':');
   spec.name = text.substr(0, colon);
-  const ModuleInfo& module = find_module(spec.name);
+  const Module& module = find_module(spec.name);
   if (colon == std::string::npos) return spec;
 
   for (std::size_t begin = colon + 1; begin <= text.size();) {
@@ -117,16 +138,9 @@ Spec parse_spec(const std::string& text) {
     if (equals == std::string::npos || equals == 0)
       throw RecipeError("module '" + spec.name + "': '" + item + "' is not key=value");
     const std::string name = item.substr(0, equals), value = item.substr(equals + 1);
-    const auto key =
-        std::find_if(module.keys.begin(), module.keys.end(), [&](const Key& k) { return k.name == name; });
-    if (key == module.keys.end()) {
-      std::string known;
-      for (const Key& k : module.keys) known += (known.empty() ? "" : ", ") + k.name;
-      throw RecipeError("module '" + spec.name + "': unknown key '" + name + "'; " +
-                        (known.empty() ? "it has none" : "there are " + known));
-    }
+    const Key& key = known_key(module, name);
     if (spec.has(name)) throw RecipeError("module '" + spec.name + "': key '" + name + "' stands twice");
-    check_value(spec.name, *key, value);
+    check_value(spec.name, key, value);
     spec.parameters.emplace_back(name, value);
   }
   return spec;

@@ -10,8 +10,8 @@
 
 namespace whittle::recipe {
 
-/// A specification that means nothing: unknown module, key, unit or driver, a number out of range. `what()`
-/// is one line that names the culprit.
+/// A recipe that cannot be run: an unknown module, key, unit or driver, a number out of range, parts that do
+/// not fit together. `what()` is one line that names the culprit.
 class RecipeError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -20,19 +20,27 @@ class RecipeError : public std::runtime_error {
 /// The sizes that relative lengths refer to, in model units.
 struct Scale {
   double mean_edge = 0;
-  double diagonal = 0;
+  double diagonal = 0;  ///< of the bounding box
 };
 
-/// A length as people write it: `0.0012` in model units, `0.8e` in mean edges, `0.5%` of the diagonal.
+/// What a length is measured in.
+enum class Unit {
+  model,   ///< model units: `0.0012`
+  edges,   ///< mean edge lengths: `0.8e`
+  percent  ///< percent of the bounding box's diagonal: `0.5%`
+};
+const char* suffix(Unit unit);  ///< "", "e" or "%"
+
+/// A length as people write it.
 struct Length {
   double amount = 0;
-  std::string unit;  ///< "", "e" or "%"
+  Unit unit = Unit::model;
 
   double in(const Scale& scale) const;  ///< in model units
   std::string text() const;
 };
 
-/// \throw RecipeError  no number, not finite, negative, or another unit.
+/// \throw RecipeError  no number, not finite, negative, or an unknown unit.
 Length parse_length(const std::string& text);
 
 /// A parsed `name[:key=value,...]`, e.g. `ivdd:distance=0.8e`.
@@ -46,6 +54,10 @@ struct Spec {
   std::optional<double> number(const std::string& key) const;
   std::optional<double> length(const std::string& key, const Scale& scale) const;  ///< in model units
   std::optional<std::string> word(const std::string& key) const;
+
+  /// Gives a key a value, or another one. \pre the key is one of the module's and takes the value
+  void set(const std::string& key, const std::string& value);
+  void clear(const std::string& key);  ///< back to the default
 
  private:
   const std::string* find(const std::string& key) const;

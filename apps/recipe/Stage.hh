@@ -1,42 +1,75 @@
 /// \file
-/// A recipe's modules in the groups that run together, each with its driver, and where a run stops.
+/// A recipe's modules in the groups that run together, and the run of one such stage.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "recipe/Catalogue.hh"
+#include "recipe/Floor.hh"
 #include "recipe/Recipe.hh"
-#include "recipe/Spec.hh"
-#include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::recipe {
 
-/// Stop when the mesh has no more than this; 0 for no such bound.
-struct Floor {
-  std::size_t faces = 0, vertices = 0;
-  bool any() const { return faces > 0 || vertices > 0; }
-  bool reached(std::size_t n_faces, std::size_t n_vertices) const {
-    return (faces > 0 && n_faces <= faces) || (vertices > 0 && n_vertices <= vertices);
-  }
-  bool reached(const IndexedMesh& mesh) const { return reached(mesh.triangles.size(), mesh.points.size()); }
-};
-
-Floor make_floor(const Target& target, const IndexedMesh& mesh);
-
-/// A module that decimates with the constraints that joined it.
+/// A module that decimates, with the constraints that joined it and the driver that runs it.
 struct Stage {
   Spec module;
   std::vector<Spec> constraints;
+  Driver driver = Driver::bulk;
+  std::size_t index = 0;  ///< among the stages, from 0
 
-  bool is_planned() const;   ///< by a planner of Whittle's
+  bool is_planned() const { return find_module(module.name).role == Role::planned; }
   std::string text() const;  ///< "fad:angle=30 + normal-flipping"
 };
 
-/// \throw RecipeError  no module, or a constraint in first place.
-std::vector<Stage> group(const std::vector<Spec>& modules);
+/// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a stage.
+std::vector<Stage> stages_of(const Recipe& recipe);
 
-/// The driver that runs a stage. \throw RecipeError  the one that is wanted cannot.
-Driver choose_driver(Driver wanted, const Stage& stage);
+/// A recipe applied to a mesh: what its stages share.
+struct Task {
+  const IndexedMesh& mesh;
+  std::vector<Stage> stages;
+  Scale scale;
+  Floor floor;
+  SurfaceExtras extras;  ///< of the mesh
+  Monitor monitor;
+
+  /// Tells the monitor how many faces are left. \return false: it ends the run.
+  bool goes_on(const Stage& stage, std::size_t faces) const {
+    return !monitor || monitor({stage.index, stages.size(), faces});
+  }
+};
+
+/// The plan of a stage for a mesh: all its passes in one plan, so that the flip guard judges them together, or
+/// a single pass where constraints have a say in what the next one finds.
+RepeatedPlan plan_stage(const Task& task, const Stage& stage, const IndexedMesh& mesh,
+                        const SurfaceExtras& extras);
+
+/// The shortest beginning of a plan that reaches the floor, or all of it.
+std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh, const Floor& floor);
+
+/// Gives a stage that has a target and no threshold the least threshold that reaches the target; the largest
+/// sensible one if none does. Other stages stay as they are.
+void find_threshold(const Task& task, Stage& stage, const IndexedMesh& mesh, const SurfaceExtras& extras);
+
+/// Where to look for a threshold: from `first`, doubling, up to `last`.
+struct ThresholdRange {
+  double first, last;
+};
+ThresholdRange threshold_range(const Module& module, const Scale& scale);
+
+/// Runs a stage on what those before it have left, and adds what it did.
+/// \param extras  of `now.mesh`; carried along
+StageResult run_stage(const Task& task, Stage stage, Decimated& now, SurfaceExtras& extras);
+
+/// Runs all stages.
+Result run_stages(const Task& task);
+
+/// The same within a bound on the distance to the input, in model units. Modules that go by error stop where
+/// the bound is met; a module without a threshold or target gets the largest threshold that keeps it, or a
+/// larger one with some vertices held; with a threshold, the vertices around each place that lies too far are
+/// held where they are, and all is run again, until no such place is left.
+Result run_bounded(const Task& task, double bound);
 
 }  // namespace whittle::recipe

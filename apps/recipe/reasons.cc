@@ -1,6 +1,5 @@
 #include "recipe/Recipe.hh"
 #include "recipe/Stage.hh"
-#include "recipe/planner.hh"
 
 namespace whittle::recipe {
 
@@ -10,7 +9,7 @@ std::vector<std::string> reasons(const Recipe& recipe, const Result& result) {
   if (result.stopped_by_bound) why.push_back("the bound on the distance allows no more");
   PlanRecord record;
   for (const StageResult& stage : result.stages) record += stage.record;
-  for (const Stage& stage : group(recipe.modules))
+  for (const Stage& stage : stages_of(recipe))
     if (has_threshold(stage.module)) why.push_back("the threshold of '" + stage.text() + "' allows no more");
   if (result.held > 0) why.push_back(std::to_string(result.held) + " vertices are locked");
   if (record.refused_by_flip_guard > 0)

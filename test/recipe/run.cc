@@ -239,6 +239,9 @@ TEST_CASE("mq weighs attributes that the mesh has, as the first module") {
                     Contains("no normals"));
   CHECK_THROWS_WITH(check(make({"vt", "mq:colours=1%"}, Driver::automatic, ratio(0.1))),
                     Contains("first module"));
+  // Also where it says the same as the first.
+  CHECK_THROWS_WITH(check(make({"mq:colours=1%", "mq:colours=1%"}, Driver::automatic, ratio(0.1))),
+                    Contains("first module"));
 }
 
 TEST_CASE("every module comes within 1 % of its target") {

@@ -1,7 +1,14 @@
 #include "recipe/Spec.hh"
 #include "catch.hh"
 #include "recipe/Catalogue.hh"
-#include "recipe/planner.hh"
+#include "recipe/Floor.hh"
+#include "whittle/planners/Circumcenter.hh"
+#include "whittle/planners/FaceAngle.hh"
+#include "whittle/planners/Fass.hh"
+#include "whittle/planners/MemorylessQuadric.hh"
+#include "whittle/planners/SphereScan.hh"
+#include "whittle/planners/VertexDistance.hh"
+#include "whittle/planners/Vtd.hh"
 
 using namespace whittle;
 using namespace whittle::recipe;
@@ -10,11 +17,16 @@ namespace {
 
 const Scale kScale{0.5, 20};
 
+template <typename P>
+P planner(const std::string& text, const Floor& floor = {}) {
+  const Spec spec = parse_spec(text);
+  return find_module(spec.name).make_planner(spec, kScale, floor).template as<P>();
+}
 FaceAngle fad(const std::string& text) {
-  return std::get<FaceAngle>(make_planner(parse_spec(text), kScale));
+  return planner<FaceAngle>(text);
 }
 VertexDistance ivdd(const std::string& text) {
-  return std::get<VertexDistance>(make_planner(parse_spec(text), kScale));
+  return planner<VertexDistance>(text);
 }
 
 }  // namespace
@@ -52,22 +64,30 @@ TEST_CASE("every key reaches its planner") {
   CHECK(ivdd("ivdd:guard=0.5").guard.min_cos == 0.5);
   CHECK(ivdd("ivdd:boundary=merge").boundary == Boundary::merge);
 
-  const auto vt =
-      std::get<Circumcenter>(make_planner(parse_spec("vt:placement=circumcenter,guard=0.1"), kScale));
+  const auto vt = planner<Circumcenter>("vt:placement=circumcenter,guard=0.1,order=error");
+  CHECK(vt.order == ScanOrder::error);
   CHECK(vt.placement == Circumcenter::Placement::circumcenter);
   CHECK(vt.guard.min_cos == 0.1);
-  const auto ss = std::get<SphereScan>(make_planner(parse_spec("ss:radius=2e,placement=quadric"), kScale));
+  const auto ss = planner<SphereScan>("ss:radius=2e,placement=quadric");
   CHECK(ss.radius == 1);
   CHECK(ss.placement == SphereScan::Placement::quadric);
-  const auto vtd = std::get<Vtd>(make_planner(parse_spec("vtd:distance=1%,fold=literal"), kScale));
+  const auto vtd = planner<Vtd>("vtd:distance=1%,fold=literal");
   CHECK(vtd.max_distance == 0.2);
   CHECK(vtd.fold == Vtd::Fold::literal);
-  const auto fass =
-      std::get<Fass>(make_planner(parse_spec("fass:radius=1,angle=20,boundary=merge,guard=0"), kScale));
+  const auto fass = planner<Fass>("fass:radius=1,angle=20,boundary=merge,guard=0");
   CHECK(fass.face_angle.max_normal_angle == 20);
   CHECK(fass.sphere_scan.radius == 1);
   CHECK(fass.face_angle.boundary == Boundary::merge);
+  CHECK(fass.sphere_scan.boundary == Boundary::merge);
+  CHECK(fass.face_angle.guard.min_cos == 0);
   CHECK(fass.sphere_scan.guard.min_cos == 0);
+
+  const auto mq = planner<MemorylessQuadric>("mq:feature=40,max-distance=1%,guard=0.5", {100, 60});
+  CHECK(mq.feature_angle == 40);
+  CHECK(mq.max_distance == 0.2);
+  CHECK(mq.guard.min_cos == 0.5);
+  CHECK(mq.target_faces == 100);
+  CHECK(mq.target_vertices == 60);
 }
 
 TEST_CASE("what means nothing is refused, and the message names it") {
@@ -102,12 +122,4 @@ TEST_CASE("what means nothing is refused, and the message names it") {
   refused("aspect-ratio:ratio=0.5", "out of range");
   CHECK_THROWS_WITH(fad("fad:angle=20,included=160"), Contains("the same threshold"));
   CHECK_THROWS_AS(fad("fad:area=0"), RecipeError);
-}
-
-TEST_CASE("the catalogue's help names every module and key") {
-  const std::string help = catalogue_help();
-  for (const ModuleInfo& module : catalogue()) {
-    CHECK(help.find(module.name + ":") != std::string::npos);
-    for (const Key& key : module.keys) CHECK(help.find(key.name + "=") != std::string::npos);
-  }
 }

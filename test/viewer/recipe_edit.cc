@@ -54,14 +54,14 @@ TEST_CASE("a recipe edit sets, changes and removes a value") {
 }
 
 TEST_CASE("a length keeps its meaning in every unit") {
-  const Length half = parse_length("0.5e");
+  const Length half = recipe::parse_length("0.5e");
   CHECK(half.unit == Unit::edges);
-  CHECK(half.in_model_units(kScale) == Approx(0.005));
+  CHECK(half.in(kScale) == Approx(0.005));
   CHECK(in_unit(half, Unit::model, kScale).text() == "0.005");
   CHECK(in_unit(half, Unit::percent, kScale).text() == "0.25%");
-  CHECK(parse_length("0.25%").in_model_units(kScale) == Approx(0.005));
-  CHECK(parse_length("0.005").in_model_units(kScale) == 0.005);
-  CHECK(parse_length("1e-3").text() == "0.001");
+  CHECK(recipe::parse_length("0.25%").in(kScale) == Approx(0.005));
+  CHECK(recipe::parse_length("0.005").in(kScale) == 0.005);
+  CHECK(recipe::parse_length("1e-3").text() == "0.001");
 }
 
 TEST_CASE("every slider runs over values that the key allows") {
@@ -69,7 +69,7 @@ TEST_CASE("every slider runs over values that the key allows") {
     for (const auto& key : module.keys) {
       if (key.kind == recipe::KeyKind::choice) continue;
       INFO(module.name << " " << key.name);
-      const SliderRange range = slider_range(key, Unit::model, kScale);
+      const recipe::Slider range = slider_of(key, Unit::model, kScale);
       CHECK(range.low < range.high);
       CHECK(range.low >= key.min);
       CHECK(range.high <= key.max);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "recipe/Catalogue.hh"
@@ -19,8 +20,8 @@ recipe::Recipe first_recipe();
 /// The recipe with a target of half the faces if the module needs a target and there is none.
 recipe::Recipe with_needed_target(recipe::Recipe recipe, const std::string& module);
 
-/// Whether every result of the recipe's target slider is in one plan, as `whittle lods` makes it: mq with its
-/// defaults down to a ratio, and nothing else.
+/// Whether every result of the recipe's target slider is in one plan, as `whittle lods` makes it: the default
+/// module with its defaults down to a ratio, and nothing else.
 bool has_levels(const recipe::Recipe& recipe);
 
 /// Each gives the changed recipe. A module is named by its place in the chain, from 0.
@@ -35,32 +36,25 @@ recipe::Recipe with_value(recipe::Recipe recipe, std::size_t place, const std::s
                           const std::string& value);
 /// \}
 
-/// How a length is written.
-enum class Unit { model, edges, percent };
-const char* suffix(Unit unit);  ///< "", "e", "%"
-const char* name(Unit unit);    ///< for people
+using recipe::Length;
+using recipe::Unit;
 
-/// A length as it stands in a specification.
-struct Length {
-  double amount = 0;
-  Unit unit = Unit::model;
-  std::string text() const;
-  double in_model_units(const recipe::Scale& scale) const;
-};
-/// \pre text is a length that parse_spec() has taken
-Length parse_length(const std::string& text);
+const char* name(Unit unit);  ///< for people
 /// The same length in another unit, with four digits.
 Length in_unit(const Length& length, Unit unit, const recipe::Scale& scale);
 
-/// What a slider of a key runs over, and where it stands while the key is not given.
-struct SliderRange {
-  double low = 0, high = 1, start = 0;
-  bool logarithmic = false;
-};
-SliderRange slider_range(const recipe::Key& key, Unit unit, const recipe::Scale& scale);
+/// What the slider of a key runs over on a mesh, and where it stands while the key is not given.
+/// \param unit  of a length
+/// \return nothing that is in squares of edges any more.
+recipe::Slider slider_of(const recipe::Key& key, Unit unit, const recipe::Scale& scale);
 
 /// The key of the module at a place that a length or an angle picked on a histogram sets; empty if none does.
 enum class Quantity { edge_length, face_angle, quality };
 std::string picked_key(const recipe::Spec& spec, Quantity quantity);
+
+/// The value that a picked key has, in the histogram's units: its default where it is not given; none where it
+/// has no default or another key says the same.
+std::optional<double> picked_value(const recipe::Spec& spec, const std::string& key,
+                                   const recipe::Scale& scale);
 
 }  // namespace whittle::viewer

@@ -2,9 +2,9 @@
 /// Numbers for people: as text, short and without rounding surprises.
 #pragma once
 
-#include <optional>
 #include <string>
 
+#include "recipe/number.hh"
 #include "text/number.hh"
 
 namespace whittle::viewer {
@@ -12,9 +12,7 @@ namespace whittle::viewer {
 /// The number rounded to so many significant digits.
 double rounded(double value, int digits);
 
-/// A finite number and nothing else.
-std::optional<double> to_number(const std::string& text);
-
+using recipe::to_number;
 using text::grouped;
 
 /// Four significant digits: `0.001234`, `1.2e-05`.

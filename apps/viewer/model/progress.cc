@@ -4,15 +4,16 @@
 #include <vector>
 
 #include "recipe/Catalogue.hh"
-#include "recipe/planner.hh"
 
 namespace whittle::viewer {
 namespace {
 
-/// Whether a module's progress runs linearly to the target. mq reports nothing until it has planned.
-bool goes_straight(const recipe::Spec& module) {
-  if (recipe::find_module(module.name).role != recipe::Role::planned) return true;
-  return module.name != "mq" && (recipe::threshold_key(module).empty() || recipe::has_threshold(module));
+/// Whether the counts that a module reports lead straight to the target: not where it plans in one go, or
+/// where a threshold is searched for.
+bool goes_straight(const recipe::Spec& spec) {
+  const recipe::Module& module = recipe::find_module(spec.name);
+  if (module.role != recipe::Role::planned) return true;
+  return !module.plans_to_target && (module.threshold.empty() || recipe::has_threshold(spec));
 }
 
 std::optional<double> goal(const recipe::Target& target, std::size_t before) {

@@ -30,18 +30,10 @@ double tallest_of(const Histogram& h) {
   return static_cast<double>(*std::max_element(h.bins.begin(), h.bins.end()));
 }
 
-/// The threshold that the selected module has for a quantity, in the histogram's units.
-std::optional<double> threshold(const Ui& ui, const recipe::Spec& spec, const std::string& key) {
-  if (key == "angle" && !spec.has("included"))
-    return spec.number(key).value_or(spec.name == "fad" || spec.name == "fass" ? 30 : 90);
-  if (key.empty() || !spec.has(key)) return std::nullopt;
-  return spec.length(key, ui.session.model()->scale);
-}
-
 void pick(Ui& ui, const recipe::Spec& spec, Quantity quantity, const std::string& key, double value) {
   std::string text = text::shortest(rounded(value, 3));
   if (quantity == Quantity::edge_length) {
-    const Unit unit = spec.has(key) ? parse_length(*spec.word(key)).unit : Unit::model;
+    const Unit unit = spec.has(key) ? recipe::parse_length(*spec.word(key)).unit : Unit::model;
     text = in_unit({rounded(value, 4), Unit::model}, unit, ui.session.model()->scale).text();
   }
   ui.session.change(with_value(ui.session.recipe(), ui.selected, key, text), "pick." + key);
@@ -88,7 +80,7 @@ void draw(Ui& ui, Quantity quantity) {
   bars(list, pair, corner, size);
   const double high = pair.original.high;
   const auto x_of = [&](double value) { return corner.x + size.x * static_cast<float>(value / high); };
-  if (const auto now = threshold(ui, spec, key); now && *now <= high) {
+  if (const auto now = picked_value(spec, key, ui.session.model()->scale); now && *now <= high) {
     const float x = x_of(*now);
     list->AddLine({x, corner.y}, {x, corner.y + size.y}, ImGui::GetColorU32(colour::warning), 2 * ui.scale);
   }

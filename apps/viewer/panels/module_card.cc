@@ -9,7 +9,6 @@
 #include "model/RecipeEdit.hh"
 #include "model/number.hh"
 #include "panels/widgets.hh"
-#include "recipe/planner.hh"
 #include "window/theme.hh"
 
 namespace whittle::viewer {
@@ -37,20 +36,15 @@ struct Knob {
   }
 };
 
-/// `largest angle …, degrees; 30` without the default.
-std::string meaning(const Key& key) {
-  return key.meaning;
-}
-
-bool slider(const char* label, double& value, const SliderRange& range, const char* format) {
+bool slider(const char* label, double& value, const recipe::Slider& range, const char* format) {
   const ImGuiSliderFlags flags = range.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
   return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &range.low, &range.high, format, flags);
 }
 
 void length_knob(const Knob& knob) {
   const recipe::Scale scale = knob.scale();
-  const Length length = knob.given() ? parse_length(knob.value()) : Length{0, Unit::edges};
-  const SliderRange range = slider_range(knob.key, length.unit, scale);
+  const Length length = knob.given() ? recipe::parse_length(knob.value()) : Length{0, Unit::edges};
+  const recipe::Slider range = slider_of(knob.key, length.unit, scale);
   double amount = knob.given() ? length.amount : range.start;
   const float unit_width = ImGui::GetFontSize() * 6.6f;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_width - ImGui::GetStyle().ItemSpacing.x);
@@ -58,8 +52,8 @@ void length_knob(const Knob& knob) {
   knob.ui.note_place(knob.tag());
   if (moved) knob.set(Length{std::max(0.0, rounded(amount, 3)), length.unit}.text(), true);
   if (just_released()) knob.ui.session.end_of_drag();
-  const double model = Length{amount, length.unit}.in_model_units(scale);
-  const double edge = Length{1, Unit::edges}.in_model_units(scale);
+  const double model = Length{amount, length.unit}.in(scale);
+  const double edge = Length{1, Unit::edges}.in(scale);
   tip(figure(model) + " model units = " + figure(edge > 0 ? model / edge : 0) +
       " mean edges = " + figure(scale.diagonal > 0 ? 100 * model / scale.diagonal : 0) +
       " % of the diagonal. Ctrl+click to type.");
@@ -73,12 +67,13 @@ void length_knob(const Knob& knob) {
 }
 
 void number_knob(const Knob& knob) {
-  const SliderRange range = slider_range(knob.key, Unit::model, knob.scale());
+  const recipe::Slider range = slider_of(knob.key, Unit::model, knob.scale());
   double amount = knob.given() ? knob.spec.number(knob.key.name).value_or(range.start) : range.start;
   const bool whole = knob.key.kind == KeyKind::integer;
-  const bool angle = knob.key.meaning.find("degrees") != std::string::npos;
-  const bool area = knob.key.name == "area" || knob.key.name == "max-err";
-  const char* format = whole ? "%.0f" : angle ? "%.4g degrees" : area ? "%.3g square units" : "%.4g";
+  const char* format = whole                                               ? "%.0f"
+                       : knob.key.measure == recipe::Measure::degrees      ? "%.4g degrees"
+                       : knob.key.measure == recipe::Measure::square_units ? "%.3g square units"
+                                                                           : "%.4g";
   ImGui::SetNextItemWidth(-1);
   const bool moved = slider("##amount", amount, range, format);
   knob.ui.note_place(knob.tag());
@@ -87,7 +82,7 @@ void number_knob(const Knob& knob) {
     knob.set(text::shortest(std::clamp(amount, knob.key.min, knob.key.max)), true);
   }
   if (just_released()) knob.ui.session.end_of_drag();
-  tip(meaning(knob.key));
+  tip(knob.key.help());
 }
 
 void choice_knob(const Knob& knob) {
@@ -98,7 +93,7 @@ void choice_knob(const Knob& knob) {
       if (ImGui::Selectable(choice.c_str(), choice == now)) knob.set(choice, false);
     ImGui::EndCombo();
   }
-  tip(meaning(knob.key));
+  tip(knob.key.help());
 }
 
 void draw_knob(const Knob& knob) {
@@ -109,7 +104,7 @@ void draw_knob(const Knob& knob) {
   } else {
     ImGui::TextDisabled("%s", knob.key.name.c_str());
   }
-  tip(meaning(knob.key));
+  tip(knob.key.help());
   if (knob.given() && ImGui::BeginPopupContextItem("reset")) {
     if (ImGui::Selectable("Back to the default")) knob.set("", false);
     ImGui::EndPopup();
@@ -127,10 +122,9 @@ void draw_knob(const Knob& knob) {
   ImGui::PopID();
 }
 
-/// Keys that stand in the open; the others hide under "More".
+/// Whether a key is shown at once; the others are under "More parameters".
 bool is_main(const Spec& spec, const Key& key) {
-  return spec.has(key.name) || key.name == recipe::threshold_key(spec) || key.name == "angle" ||
-         key.name == "passes" || recipe::find_module(spec.name).keys.size() == 1;
+  return key.is_main || spec.has(key.name);
 }
 
 bool module_combo(Ui& ui, std::size_t place, const Spec& spec, float width) {

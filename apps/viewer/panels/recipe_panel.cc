@@ -104,12 +104,12 @@ void levels(Ui& ui) {
 
 /// A slider over a length, in the unit that it has.
 bool length_slider(recipe::Length& length, const recipe::Scale& scale) {
-  const recipe::Length percent{1, "%"}, own{1, length.unit};
+  const recipe::Length percent{1, Unit::percent}, own{1, length.unit};
   const double unit = percent.in(scale) / own.in(scale);  // a percent of the diagonal
   const double low = 0.01 * unit, high = 5 * unit;
-  const char* format = length.unit == "%"   ? "%.3g %% of the diagonal"
-                       : length.unit == "e" ? "%.3g mean edges"
-                                            : "%.3g model units";
+  const char* format = length.unit == Unit::percent ? "%.3g %% of the diagonal"
+                       : length.unit == Unit::edges ? "%.3g mean edges"
+                                                    : "%.3g model units";
   if (!ImGui::SliderScalar("##bound", ImGuiDataType_Double, &length.amount, &low, &high, format,
                            ImGuiSliderFlags_Logarithmic))
     return false;
@@ -121,7 +121,7 @@ void bound(Ui& ui) {
   recipe::Recipe changed = ui.session.recipe();
   bool on = changed.max_distance.has_value();
   if (ImGui::Checkbox("No farther from the original than", &on)) {
-    changed.max_distance = on ? std::optional(recipe::Length{0.5, "%"}) : std::nullopt;
+    changed.max_distance = on ? std::optional(recipe::Length{0.5, Unit::percent}) : std::nullopt;
     ui.session.change(changed);
     return;
   }
@@ -134,18 +134,10 @@ void bound(Ui& ui) {
 }
 
 void executor(Ui& ui) {
-  constexpr struct {
-    recipe::Driver driver;
-    const char* meaning;
-  } kDrivers[] = {
-      {recipe::Driver::automatic, "the fastest that can"},  {recipe::Driver::bulk, "the plan on flat arrays"},
-      {recipe::Driver::sweep, "SweepDecimaterT"},           {recipe::Driver::lazy, "LazyDecimaterT"},
-      {recipe::Driver::decimater, "OpenMesh's DecimaterT"}, {recipe::Driver::mc, "OpenMesh's McDecimaterT"}};
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##driver", recipe::to_string(ui.session.recipe().driver).c_str())) return;
-  for (const auto& [driver, meaning] : kDrivers) {
-    if (ImGui::Selectable(recipe::to_string(driver).c_str(), driver == ui.session.recipe().driver, 0,
-                          {ImGui::GetFontSize() * 6, 0})) {
+  for (const auto& [driver, name, meaning] : recipe::drivers()) {
+    if (ImGui::Selectable(name, driver == ui.session.recipe().driver, 0, {ImGui::GetFontSize() * 6, 0})) {
       recipe::Recipe changed = ui.session.recipe();
       changed.driver = driver;
       ui.session.change(std::move(changed));

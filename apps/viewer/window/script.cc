@@ -58,7 +58,7 @@ bool App::slide(const Command& command) {
   const auto& modules = session_.recipe().modules;
   if (place >= modules.size()) command.fail("there is no such module");
   const auto now = modules[place].word(command.arguments[1]);
-  const std::string unit = now ? suffix(parse_length(*now).unit) : "";
+  const std::string unit = now ? recipe::suffix(recipe::parse_length(*now).unit) : "";
   const double value = rounded(from + (to - from) * slide_step_ / std::max(steps - 1, 1), 4);
   session_.change(with_value(session_.recipe(), place, command.arguments[1], text::shortest(value) + unit),
                   "slide." + command.arguments[1]);

@@ -1,0 +1,35 @@
+/// \file
+/// An OpenMesh decimater while modules are added to it.
+#pragma once
+
+#include <OpenMesh/Tools/Decimater/BaseDecimaterT.hh>
+
+#include "recipe/OpenMeshCopy.hh"
+
+namespace whittle::recipe {
+
+class StockDecimater {
+ public:
+  using Mesh = OpenMeshCopy::Mesh;
+  using Decimater = OpenMesh::Decimater::BaseDecimaterT<Mesh>;
+  using Weights = OpenMesh::VPropHandleT<float>;
+
+  /// \param weights  of the vertices, for modules that know some; invalid: all 1
+  StockDecimater(Decimater& decimater, Weights weights) : decimater_(decimater), weights_(weights) {}
+
+  Weights weights() const { return weights_; }
+
+  /// Adds a module and gives access to it. The decimater owns it, so the handle need not live on.
+  template <typename Module>
+  Module& add() {
+    typename Module::Handle handle;
+    decimater_.add(handle);
+    return decimater_.module(handle);
+  }
+
+ private:
+  Decimater& decimater_;
+  Weights weights_;
+};
+
+}  // namespace whittle::recipe
