@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "recipe/Floor.hh"
 #include "recipe/Planner.hh"
 #include "recipe/Spec.hh"
 
@@ -57,7 +58,6 @@ enum class Role {
   constraint  ///< a stock binary module; joins the stage before it
 };
 
-struct Floor;
 class StockDecimater;
 
 /// An entry of the table.

@@ -8,6 +8,14 @@
 
 namespace whittle::recipe {
 
+/// Adds a module and gives access to it. The decimater owns it, so the handle need not live on.
+template <typename Module, typename Decimater>
+Module& add_module(Decimater& decimater) {
+  typename Module::Handle handle;
+  decimater.add(handle);
+  return decimater.module(handle);
+}
+
 class StockDecimater {
  public:
   using Mesh = OpenMeshCopy::Mesh;
@@ -19,12 +27,9 @@ class StockDecimater {
 
   Weights weights() const { return weights_; }
 
-  /// Adds a module and gives access to it. The decimater owns it, so the handle need not live on.
   template <typename Module>
   Module& add() {
-    typename Module::Handle handle;
-    decimater_.add(handle);
-    return decimater_.module(handle);
+    return add_module<Module>(decimater_);
   }
 
  private:

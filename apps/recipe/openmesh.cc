@@ -136,7 +136,7 @@ Decimated drive(const Task& task, const Stage& stage, const IndexedMesh& in, con
   StockDecimater modules(decimater, plan ? StockDecimater::Weights() : add_weights(extras, copy.mesh));
   const auto add = [&](const Spec& spec) { find_module(spec.name).add(modules, spec, task.scale); };
   if (plan)
-    modules.add<ModGivenPlanT<Mesh>>().set_planner({plan});
+    add_module<ModGivenPlanT<Mesh>>(decimater).set_planner({plan});
   else
     add(stage.module);
   for (const Spec& constraint : stage.constraints) add(constraint);

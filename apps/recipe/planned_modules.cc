@@ -132,7 +132,7 @@ Module fad() {
 
 Planner make_vertex_distance(const Spec& spec, const Scale& scale, const Floor&) {
   VertexDistance planner;
-  planner.max_distance = spec.length("distance", scale).value_or(0);
+  planner.max_distance = spec.length("distance", scale);
   read_triangle_placement(spec, planner);
   read_order(spec, planner);
   read_boundary(spec, planner);
@@ -161,7 +161,7 @@ std::vector<Key> sphere_scan_keys() {
 
 SphereScan sphere_scan(const Spec& spec, const Scale& scale) {
   SphereScan planner;
-  planner.radius = spec.length("radius", scale).value_or(planner.radius);
+  planner.radius = spec.length("radius", scale);
   if (spec.word("placement") == "quadric") planner.placement = SphereScan::Placement::quadric;
   read_order(spec, planner);
   read_boundary(spec, planner);
@@ -183,7 +183,7 @@ Module ss() {
 
 Planner make_vtd(const Spec& spec, const Scale& scale, const Floor&) {
   Vtd planner;
-  planner.max_distance = spec.length("distance", scale).value_or(0);
+  planner.max_distance = spec.length("distance", scale);
   if (spec.word("fold") == "literal") planner.fold = Vtd::Fold::literal;
   read_triangle_placement(spec, planner);
   read_boundary(spec, planner);
