@@ -7,10 +7,12 @@
 #include "attributes/transfer.hh"
 #include "attributes/values.hh"
 #include "measure/Excess.hh"
+#include "measure/sides.hh"
 #include "recipe/Catalogue.hh"
 #include "recipe/Stage.hh"
 #include "recipe/flips.hh"
 #include "recipe/openmesh.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle::recipe {
 namespace {
@@ -101,6 +103,23 @@ void retriangulate_result(const IndexedMesh& input, const Recipe& recipe, std::o
   result.face_origin.clear();
 }
 
+/// Each edge counts once, whatever number of faces it has.
+double mean_edge(const IndexedMesh& mesh) {
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= mesh.points.size())
+        throw InvalidMesh("a triangle names vertex " + std::to_string(v) + " of " +
+                          std::to_string(mesh.points.size()));
+  double sum = 0;
+  std::size_t edges = 0;
+  const auto sides = measure::sides_by_edge(mesh.triangles, mesh.points.size(), measure::Faces::proper);
+  measure::for_each_edge(sides, [&](const measure::Side* side, const measure::Side*) {
+    sum += (mesh.points[side->low] - mesh.points[side->high]).norm();
+    ++edges;
+  });
+  return edges > 0 ? sum / static_cast<double>(edges) : 0;
+}
+
 /// \throw RecipeError  a stage that cannot run.
 void check_stage(const Stage& stage, bool has_end) {
   const Module& module = find_module(stage.module.name);
@@ -143,10 +162,7 @@ std::string to_string(Driver driver) {
 
 Scale measure_scale(const IndexedMesh& mesh) {
   Scale scale;
-  double sum = 0;
-  for (const auto& t : mesh.triangles)  // interior edges count twice, which leaves their mean as it is
-    for (int i = 0; i < 3; ++i) sum += (mesh.points[t[(i + 1) % 3]] - mesh.points[t[i]]).norm();
-  if (!mesh.triangles.empty()) scale.mean_edge = sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+  scale.mean_edge = mean_edge(mesh);
   if (!mesh.points.empty()) {
     Eigen::Vector3d low = mesh.points[0], high = low;
     for (const auto& p : mesh.points) {

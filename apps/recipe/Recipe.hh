@@ -98,7 +98,8 @@ struct Givens {
   const attributes::Attributes* attributes = nullptr;  ///< to be carried over; seams of texture stay in place
 };
 
-/// The sizes that the relative lengths of a recipe refer to.
+/// The sizes that the relative lengths of a recipe refer to. Each edge counts once in the mean.
+/// \throw InvalidMesh  an index out of range.
 Scale measure_scale(const IndexedMesh& mesh);
 
 /// Where a run is.

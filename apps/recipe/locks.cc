@@ -1,47 +1,18 @@
 #include "recipe/locks.hh"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
-#include <tuple>
 
+#include "measure/sides.hh"
 #include "recipe/Spec.hh"
 #include "whittle/surface/Surface.hh"
+#include "whittle/surface/constants.hh"
 
 namespace whittle::recipe {
 namespace {
-
-/// A half-edge by its ends in order, so that those of one edge lie side by side when sorted.
-using Side = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // smaller end, larger end, face
-
-std::vector<Side> sides(const IndexedMesh& mesh) {
-  std::vector<Side> out;
-  out.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    const auto& t = mesh.triangles[f];
-    for (int k = 0; k < 3; ++k)
-      out.emplace_back(std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), f);
-  }
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
-/// Calls `visit(a, b, faces)` for each edge with the faces at it.
-template <typename Visit>
-void for_each_edge(const IndexedMesh& mesh, Visit visit) {
-  const std::vector<Side> all = sides(mesh);
-  std::vector<std::uint32_t> faces;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto [a, b, f] = all[i];
-    faces.push_back(f);
-    if (i + 1 < all.size() && std::get<0>(all[i + 1]) == a && std::get<1>(all[i + 1]) == b) continue;
-    visit(a, b, faces);
-    faces.clear();
-  }
-}
 
 Eigen::Vector3d unit_normal(const IndexedMesh& mesh, std::uint32_t f) {
   const auto& t = mesh.triangles[f];
@@ -75,17 +46,17 @@ void select(const std::string& file, std::size_t n_vertices, std::vector<std::ui
 void Lock::apply(const IndexedMesh& mesh, std::vector<std::uint8_t>& flags) const {
   flags.resize(mesh.points.size(), 0);
   if (what == What::selection) return select(file, mesh.points.size(), flags);
-  const double least_cos = std::cos(degrees * (3.14159265358979323846 / 180));
-  for_each_edge(mesh, [&](std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& faces) {
-    if (what == What::boundary && faces.size() == 1) {
-      flags[a] |= kLocked;
-      flags[b] |= kLocked;
-    }
-    if (what == What::feature && faces.size() == 2 &&
-        unit_normal(mesh, faces[0]).dot(unit_normal(mesh, faces[1])) < least_cos) {
-      flags[a] |= kFeature;
-      flags[b] |= kFeature;
-    }
+  const double least_cos = std::cos(degrees * (detail::kPi / 180));
+  const auto lock = [&](const measure::Side& side, std::uint8_t flag) {
+    flags[side.low] |= flag;
+    flags[side.high] |= flag;
+  };
+  const auto sides = measure::sides_by_edge(mesh.triangles, mesh.points.size());
+  measure::for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
+    if (what == What::boundary && end - begin == 1) lock(*begin, kLocked);
+    if (what == What::feature && end - begin == 2 &&
+        unit_normal(mesh, begin[0].face()).dot(unit_normal(mesh, begin[1].face())) < least_cos)
+      lock(*begin, kFeature);
   });
 }
 

@@ -1,6 +1,7 @@
 #include "catch.hh"
 #include "meshes.hh"
 #include "recipe/Recipe.hh"
+#include "whittle/surface/errors.hh"
 
 using namespace whittle;
 using namespace whittle::recipe;
@@ -275,4 +276,17 @@ TEST_CASE("recipes that cannot run are refused before any work") {
   CHECK_THROWS_WITH(parse_driver("fast"), Contains("unknown driver 'fast'; there are auto, bulk"));
   CHECK(parse_driver("sweep") == Driver::sweep);
   CHECK(to_string(Driver::mc) == "mc");
+}
+
+TEST_CASE("recipe: the mean edge counts each edge once, on the boundary as inside") {
+  IndexedMesh mesh;  // a square with a diagonal: four edges of one face, one of two
+  mesh.points = {{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {0, 4, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  CHECK(measure_scale(mesh).mean_edge == (3 + 4 + 3 + 4 + 5) / 5.0);
+  CHECK(measure_scale(mesh).diagonal == 5);
+  mesh.triangles.push_back({1, 1, 2});  // has no edges
+  CHECK(measure_scale(mesh).mean_edge == 19 / 5.0);
+  mesh.triangles.push_back({0, 1, 4});
+  CHECK_THROWS_AS(measure_scale(mesh), InvalidMesh);
+  CHECK(measure_scale(IndexedMesh()).mean_edge == 0);
 }
