@@ -134,7 +134,7 @@ TEST_CASE("attributes come through simplify, and those that a format cannot hold
   CHECK_THAT(stl.err, Contains("texture coordinates"));
 }
 
-TEST_CASE("--weights keeps detail, and a missing property is refused") {
+TEST_CASE("the option --weights keeps detail, and a missing property is refused") {
   programs::Folder folder;
   const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 28), 0.003, 1);
   attributes::Attribute importance{attributes::Kind::scalar, "importance", 1, false, false, {}, {}};

@@ -9,7 +9,7 @@
 
 using namespace whittle;
 using Catch::Matchers::Contains;
-using Json = nlohmann::json;
+using AnyJson = nlohmann::json;
 
 namespace {
 
@@ -29,17 +29,17 @@ TEST_CASE("one round of whittle-speed on a small mesh writes a record of all con
   CHECK(done.code == 0);
   CHECK(done.err.empty());
   CHECK(done.out.empty());
-  const Json run = Json::parse(programs::contents(out + "/speed.json"));
+  const AnyJson run = AnyJson::parse(programs::contents(out + "/speed.json"));
   CHECK(run["schema"] == "whittle-speed");
   CHECK(run["machine"]["memory_bytes"] > 0);
   CHECK(run["settings"]["threads"] >= 1);
   REQUIRE(run["suites"].size() == 1);
-  const Json& model = run["suites"][0]["models"][0];
+  const AnyJson& model = run["suites"][0]["models"][0];
   CHECK(model["name"] == "torus");
   CHECK(model["faces"] == 768);
   CHECK(run["suites"][0]["samples"] == 500);
   std::set<std::string> names;
-  for (const Json& result : model["results"]) {
+  for (const AnyJson& result : model["results"]) {
     names.insert(result["name"]);
     CHECK(result["seconds"]["rounds"].size() == 1);
   }
@@ -63,7 +63,7 @@ TEST_CASE("the growth suite subdivides the last model") {
   const auto done = programs::run(WHITTLE_SPEED_PROGRAM, {torus_in(folder), "--suite", "growth", "--rounds",
                                                           "1", "--subdivisions", "1", "--out", folder / "r"});
   CHECK(done.code == 0);
-  const Json models = Json::parse(programs::contents(folder / "r/speed.json"))["suites"][0]["models"];
+  const AnyJson models = AnyJson::parse(programs::contents(folder / "r/speed.json"))["suites"][0]["models"];
   REQUIRE(models.size() == 2);
   CHECK(models[1]["name"] == "torus x4");
   CHECK(models[1]["faces"] == 4 * 768);
@@ -78,7 +78,7 @@ TEST_CASE("results of several runs become one page") {
         programs::run(WHITTLE_SPEED_PROGRAM, {torus_in(folder), "--rounds", "1", "--only", "compact|garbage",
                                               "--out", out, "--name", name, "--threads", "1"})
             .code == 0);
-  CHECK(Json::parse(programs::contents(out + "/a.json"))["settings"]["threads"] == 1);
+  CHECK(AnyJson::parse(programs::contents(out + "/a.json"))["settings"]["threads"] == 1);
   const auto done = programs::run(
       WHITTLE_SPEED_PROGRAM, {"--report", out + "/a.json", out + "/b.json", "--out", out, "--name", "both"});
   CHECK(done.code == 0);
