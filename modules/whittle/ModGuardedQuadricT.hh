@@ -38,7 +38,8 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   explicit ModGuardedQuadricT(MeshT& mesh) : Base(mesh, false) {}
 
   /// Largest error of a collapse: area times squared distance, summed over the planes. Positive; default: no
-  /// bound. \throw InvalidParameter
+  /// bound.
+  /// \throw InvalidParameter
   void set_max_err(double error, bool binary = true) {
     if (!(error > 0)) throw InvalidParameter("the largest quadric error must be positive");
     max_err_ = error;
@@ -59,7 +60,8 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
 
   /// Least cosine between a face's normal and the one that it had at initialize(). In [-1, 1), default 0.2;
-  /// -1 turns the guard off. \throw InvalidParameter
+  /// -1 turns the guard off.
+  /// \throw InvalidParameter
   void set_flip_guard(double min_cos) {
     if (!(min_cos >= -1 && min_cos < 1)) throw InvalidParameter("the flip guard's cosine must be in [-1, 1)");
     min_cos_ = min_cos;
@@ -106,7 +108,8 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   }
   const MeshT& mesh_ref() const { return const_cast<ModGuardedQuadricT*>(this)->Base::mesh(); }
 
-  /// The squared distance from the plane through `p`, times `weight`. \param normal  of length 1 or 0
+  /// The squared distance from the plane through `p`, times `weight`.
+  /// \param normal  of length 1 or 0
   static Quadric plane(const Vector& p, const Vector& normal, double weight) {
     Quadric quadric(normal[0], normal[1], normal[2], -normal.dot(p));
     quadric *= weight;

@@ -18,7 +18,7 @@ struct Compaction {
   int halfedge(int old) const { return edges[static_cast<std::size_t>(old) / 2] * 2 + old % 2; }
 };
 
-namespace compaction {
+namespace detail {
 
 /// Old indices of what is left, in order, and the map back.
 template <typename IsDeleted>
@@ -62,7 +62,7 @@ void move_properties(Iterator begin, Iterator end, const std::vector<int>& left,
   }
 }
 
-}  // namespace compaction
+}  // namespace detail
 
 /// Removes what is marked as deleted, in place of `mesh.garbage_collection()`, which moves the last elements
 /// into the gaps. Here vertices, edges and faces keep their order, and all properties, the user's included,
@@ -77,12 +77,12 @@ Compaction compact(Mesh& mesh) {
   Compaction map;
   const bool vertex_status = mesh.has_vertex_status(), edge_status = mesh.has_edge_status(),
              face_status = mesh.has_face_status();
-  const auto vertices = compaction::survivors(mesh.n_vertices(), map.vertices, [&](int i) {
+  const auto vertices = detail::survivors(mesh.n_vertices(), map.vertices, [&](int i) {
     return vertex_status && mesh.status(VertexHandle(i)).deleted();
   });
-  const auto edges = compaction::survivors(
+  const auto edges = detail::survivors(
       mesh.n_edges(), map.edges, [&](int i) { return edge_status && mesh.status(EdgeHandle(i)).deleted(); });
-  const auto faces = compaction::survivors(
+  const auto faces = detail::survivors(
       mesh.n_faces(), map.faces, [&](int i) { return face_status && mesh.status(FaceHandle(i)).deleted(); });
 
   // Connectivity: first every item to its new place, then its handles.
@@ -113,11 +113,11 @@ Compaction compact(Mesh& mesh) {
   }
 
   using Status = OpenMesh::Attributes::StatusInfo;
-  compaction::move_properties<typename Mesh::Point, typename Mesh::Normal, Status>(
-      mesh.vprops_begin(), mesh.vprops_end(), vertices);
-  compaction::move_properties<Status>(mesh.eprops_begin(), mesh.eprops_end(), edges);
-  compaction::move_properties<typename Mesh::Normal, Status>(mesh.fprops_begin(), mesh.fprops_end(), faces);
-  compaction::move_properties<Status>(mesh.hprops_begin(), mesh.hprops_end(), edges, 2);
+  detail::move_properties<typename Mesh::Point, typename Mesh::Normal, Status>(mesh.vprops_begin(),
+                                                                               mesh.vprops_end(), vertices);
+  detail::move_properties<Status>(mesh.eprops_begin(), mesh.eprops_end(), edges);
+  detail::move_properties<typename Mesh::Normal, Status>(mesh.fprops_begin(), mesh.fprops_end(), faces);
+  detail::move_properties<Status>(mesh.hprops_begin(), mesh.hprops_end(), edges, 2);
   mesh.resize(vertices.size(), edges.size(), faces.size());
   return map;
 }

@@ -38,13 +38,13 @@ struct DecimateOptions {
   /// MemorylessQuadric keeps a bound.
   double max_distance = HUGE_VAL;
 
-  bool lock_boundary =
-      false;  ///< boundary vertices stay; otherwise they may merge along the boundary, if the planner's
-              ///< parameters allow it (MemorylessQuadric always does)
+  /// Boundary vertices stay. Otherwise they may merge along the boundary, if the planner's parameters allow it;
+  /// MemorylessQuadric always does.
+  bool lock_boundary = false;
   /// Both ends of an edge stay if the normals of its faces differ by more. Degrees, 0..180; 180: none.
   double lock_feature_angle = 180;
-  bool lock_selected =
-      false;  ///< vertices with OpenMesh's status *selected* stay, as locked and feature ones always do
+  /// Vertices with OpenMesh's status *selected* stay, as locked and feature ones always do.
+  bool lock_selected = false;
 
   /// For each vertex a factor of `max_distance` and of the planner's threshold: 0 keeps the vertex, 1 is neutral.
   /// >= 0. An invalid handle: none.
@@ -65,8 +65,8 @@ struct DecimateReport {
   std::size_t faces = 0, vertices = 0;                ///< left
   bool target_reached = true;                         ///< true where none was given
   std::string why;  ///< why the target was not reached, in one line; else empty
-  std::size_t held =
-      0;  ///< vertices of the input that are locked, features, selected or on a locked boundary
+  /// Vertices of the input that are locked, features, selected or on a locked boundary.
+  std::size_t held = 0;
   std::size_t seams = 0;  ///< vertices of the input that stay because their texture coordinates differ
   PlanRecord record;      ///< merges planned, and refused by flip guard, link condition and bound
   /// For each vertex of the input, by its index there, the vertex of the result that it became; kNoVertex if none.

@@ -44,7 +44,8 @@ class BucketQueue {
     for (const Entry& entry : entries) push(entry.item, entry.bucket);
   }
 
-  /// Goes to the cheapest bucket that is not empty. \return false  there is none below bucket `end`.
+  /// Goes to the cheapest bucket that is not empty.
+  /// \return false  there is none below bucket `end`.
   bool advance(std::size_t end = kBuckets) {
     while (at_ < end && read_ == buckets_[at_].size()) {
       if (at_ + 1 == kBuckets) return false;
@@ -55,7 +56,8 @@ class BucketQueue {
     return at_ < end;
   }
 
-  /// Takes the next item of the current bucket. \return false  it is empty.
+  /// Takes the next item of the current bucket.
+  /// \return false  it is empty.
   bool pop(std::uint32_t& item) {
     const auto& items = buckets_[at_];
     if (read_ == items.size()) return false;

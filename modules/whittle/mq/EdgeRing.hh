@@ -47,7 +47,8 @@ class EdgeRing {
             float limit);
 
   /// After `turn`: calls `add(vertex, change)` with the change of each face's quadric, for the two vertices
-  /// that do not move. \return  the sum of the quadrics after, for the vertex that does.
+  /// that do not move.
+  /// \return the sum of the quadrics after, for the vertex that does.
   template <typename Add>
   SymmetricMatrix update(Add add) const;
 

@@ -94,7 +94,8 @@ inline void Part::prefetch_next() const {
 #endif
 }
 
-/// Takes and places up to four edges of the cheapest bucket. \return  how many
+/// Takes and places up to four edges of the cheapest bucket.
+/// \return how many
 inline std::size_t Part::take_four(std::size_t end) {
   std::size_t n = 0;
   Corner c = 0;
@@ -154,7 +155,8 @@ inline void Part::work(Corner c, const Placement& placement, std::size_t dearest
     for (const Corner at : unqueued)
       if (at != kNoCorner) enqueue(at, queue_.bucket());  // placed when it is taken
   } else if (queue_.bucket() + 1 < BucketQueue::kBuckets) {
-    enqueue(c, queue_.bucket() + std::size_t{4} * BucketQueue::kBucketsPerOctave);  // it may become legal later
+    constexpr std::size_t kLater = 4 * BucketQueue::kBucketsPerOctave;
+    enqueue(c, queue_.bucket() + kLater);  // it may become legal by then
   } else {
     refused.refused_by_link += verdict == Verdict::breaks_link;
     refused.refused_by_flip_guard += verdict == Verdict::turns_face;

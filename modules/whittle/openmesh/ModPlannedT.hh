@@ -19,7 +19,6 @@
 #include "whittle/openmesh/points_in_space.hh"
 #include "whittle/plan/CollapsePlan.hh"
 #include "whittle/plan/plan_mesh.hh"
-#include "whittle/planners/ScanOrder.hh"
 
 namespace whittle {
 
@@ -28,10 +27,10 @@ struct PlanOutcome {
   std::size_t planned = 0;   ///< collapses in the plan
   std::size_t executed = 0;  ///< of them
   std::size_t illegal = 0;   ///< not executed, and OpenMesh finds them illegal now
-  std::size_t apart =
-      0;  ///< not executed, and their vertices share no edge, for an earlier collapse is missing
-  std::size_t left =
-      0;  ///< the rest: forbidden by another module, not selected, or the decimater stopped before
+  /// Not executed, and their vertices share no edge, for an earlier collapse is missing.
+  std::size_t apart = 0;
+  /// The rest: forbidden by another module, not selected, or the decimater stopped before.
+  std::size_t left = 0;
 };
 
 /// An OpenMesh decimater module over a planner. `initialize()` takes a snapshot of the mesh and plans on it;
@@ -99,7 +98,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
   /// In which order merges are looked at. Default: by index, as in the papers.
   template <typename P = Planner>
-  auto set_order(ScanOrder order) -> decltype(std::declval<P&>().order, void()) {
+  void set_order(decltype(std::declval<P&>().order) order) {
     change([&](P& p) { p.order = order; });
   }
   /// Where vertices merge. Default: as in the papers.
@@ -280,7 +279,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   /// Moves the survivor of a collapse that has been executed to where its cluster, or the part of it that has
-  /// merged by now, belongs. \return whether it has moved
+  /// merged by now, belongs.
+  /// \return whether it has moved
   bool place_survivor(std::size_t rank) {
     const Collapse& collapse = plan_.collapses[rank];
     const auto v0 = vertex(collapse.from), v1 = vertex(collapse.to);
@@ -337,8 +337,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   std::vector<bool> executed_;       // for each collapse of the plan
   std::vector<std::uint8_t> flags_;  // of each vertex when it was made
   std::vector<typename IndexedMeshT<typename MeshT::Scalar>::Triangle> triangles_;  // of the mesh then
-  std::vector<std::uint32_t>
-      placed_by_;  // for each survivor the last rank of the latest cluster that has moved it
+  // For each survivor the last rank of the latest cluster that has moved it.
+  std::vector<std::uint32_t> placed_by_;
   detail::SurvivorAttributesT<MeshT> attributes_;
   std::size_t n_planned_vertices_ = kNoPlan;
 };

@@ -17,13 +17,15 @@ struct RunReport {
   bool target_reached = true;           ///< true where none was given
   bool halted = false;                  ///< the observer called a halt
 
-  std::size_t held =
-      0;  ///< vertices that are locked, features, or not selected where only selected ones may go
-  std::size_t illegal = 0;  ///< vertices that no legal collapse removes: link condition, boundary
-  std::size_t forbidden =
-      0;  ///< vertices with a legal collapse, which a module forbids: threshold, guard, constraint
-  std::size_t refused = 0;  ///< planned collapses that another module forbids, or that have become illegal
-  PlanRecord record;        ///< what the planner refused; empty without a module that has a plan
+  /// Vertices that are locked, features, or not selected where only selected ones may go.
+  std::size_t held = 0;
+  /// Vertices that no legal collapse removes: link condition, boundary.
+  std::size_t illegal = 0;
+  /// Vertices with a legal collapse, which a module forbids: threshold, guard, constraint.
+  std::size_t forbidden = 0;
+  /// Planned collapses that another module forbids, or that have become illegal.
+  std::size_t refused = 0;
+  PlanRecord record;  ///< what the planner refused; empty without a module that has a plan
 
   /// One line, in order of what weighs most for a user; empty where the target was reached.
   std::string why() const {

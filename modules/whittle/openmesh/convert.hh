@@ -60,8 +60,7 @@ IndexedMeshT<typename Mesh::Scalar> to_indexed(const Mesh& mesh) {
 
 /// Adds points and triangles to an OpenMesh mesh, as a rule an empty one.
 /// \return how many triangles OpenMesh could not take: degenerate ones, and those that would make an edge or
-/// a
-///         vertex non-manifold. What `bulk` makes of a manifold mesh has none of them.
+///         a vertex non-manifold. What `bulk` makes of a manifold mesh has none of them.
 ///         OpenMesh may say a word about them on its `omerr()`.
 template <typename Mesh>
 std::size_t to_openmesh(const IndexedMeshT<typename Mesh::Scalar>& indexed, Mesh& mesh) {

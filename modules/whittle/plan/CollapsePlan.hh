@@ -64,8 +64,8 @@ Eigen::Matrix<Real, 3, 1> place_of_part(const Eigen::Matrix<Real, 3, 1>& to,
 /// often.
 struct CollapsePlan {
   std::vector<Collapse> collapses;
-  std::vector<std::size_t>
-      stages;  ///< where each stage that did something begins in `collapses`; at least {0}
+  /// Where each stage that did something begins in `collapses`; at least {0}.
+  std::vector<std::size_t> stages;
   PlanRecord record;
 };
 

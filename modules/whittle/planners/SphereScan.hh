@@ -34,8 +34,8 @@ struct SphereScan {
              ///< from there
   } placement = Placement::paper;
   ScanOrder order = ScanOrder::index;
-  Boundary boundary =
-      Boundary::keep;  ///< `merge`: boundary vertices merge with their neighbours on the boundary
+  /// `merge`: boundary vertices merge with their neighbours on the boundary.
+  Boundary boundary = Boundary::keep;
   FlipGuard guard;
 
   /// \throw InvalidParameter  a value outside the range given above.

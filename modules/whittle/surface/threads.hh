@@ -45,7 +45,8 @@ class Crew {
   void each(std::size_t n, const std::function<void(std::size_t)>& work);
 
   /// Calls `work(begin, end)` for ranges of at most `at_once` that together are 0 .. n, on any of the
-  /// threads. \throw  what the work of the least range that throws does
+  /// threads.
+  /// \throw  what the work of the least range that throws does
   template <typename Work>
   void each_range(std::size_t n, std::size_t at_once, const Work& work) {
     each((n + at_once - 1) / at_once,

@@ -43,7 +43,8 @@ struct Step {
 };
 
 /// Finds the point of a triangle that is nearest to `p`, by the corner, side or inside that this is in
-/// (Ericson 2005, 5.1.5). \return  `visit(corner, step...)`: the point is the corner and none, one or two
+/// (Ericson 2005, 5.1.5).
+/// \return `visit(corner, step...)`: the point is the corner and none, one or two
 /// steps from it. Where the triangle is degenerate to the last bit, a step may not be finite.
 template <typename Real, typename Visit>
 auto at_closest_point(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Real, 3, 1>& a,
