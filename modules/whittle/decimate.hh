@@ -95,18 +95,13 @@ struct Target {
   }
 };
 
-template <typename Planner, typename = void>
-struct takes_target : std::false_type {};
-template <typename Planner>
-struct takes_target<Planner, std::void_t<decltype(std::declval<Planner&>().target_faces)>> : std::true_type {
-};
-
 /// \throw InvalidParameter
 inline Target make_target(const DecimateOptions& options, std::size_t n_faces) {
   if (options.ratio.has_value() + options.faces.has_value() + options.vertices.has_value() > 1)
     throw InvalidParameter("decimate: only one of ratio, faces and vertices can be the target");
   if (options.ratio && !(*options.ratio > 0 && *options.ratio <= 1))
-    throw InvalidParameter("decimate: the ratio must be above 0 and at most 1");
+    throw InvalidParameter("decimate: the ratio is " + std::to_string(*options.ratio) +
+                           "; it must be above 0 and at most 1, as 0.1 for a tenth of the faces");
   if (options.faces == 0u || options.vertices == 0u)
     throw InvalidParameter("decimate: a target of 0 faces or vertices would leave nothing; the least is 1");
   if (!(options.lock_feature_angle >= 0 && options.lock_feature_angle <= 180))
@@ -129,7 +124,8 @@ Planner with_options(Planner planner, const DecimateOptions& options, const Targ
       planner.target_faces = target.faces;
       planner.target_vertices = target.vertices;
     }
-    if (!(options.max_distance >= 0)) throw InvalidParameter("decimate: max_distance must not be negative");
+    if (!(options.max_distance >= 0))
+      throw InvalidParameter("decimate: max_distance must be a length of at least 0");
     planner.max_distance = std::min(planner.max_distance, options.max_distance);
   } else {
     if (options.max_distance < HUGE_VAL)

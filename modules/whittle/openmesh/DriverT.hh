@@ -150,7 +150,8 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   }
 
   std::size_t start(const Target& target, bool only_selected) {
-    if (!this->is_initialized()) throw NotReady("decimate() before initialize()");
+    if (!this->is_initialized())
+      throw NotReady("decimate() before initialize(): call initialize() of the decimater first");
     const bool has_target = target.collapses < kNoLimit || target.vertices > 0 || target.faces > 0;
     if (!has_target && planned() && !planned()->has_end())
       throw NotReady(
@@ -168,7 +169,8 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     report_.faces = faces_;
     report_.vertices = vertices_;
     report_.halted = halted_;
-    report_.target_reached = !has_target || is_target_met();
+    report_.target_reached =
+        has_target ? is_target_met() : !planned() || planned()->is_target_met(faces_, vertices_);
     if (!report_.target_reached && !halted_) explain(only_selected);
     return collapses_;
   }

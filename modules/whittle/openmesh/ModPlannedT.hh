@@ -150,6 +150,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   bool has_end() const override { return detail::has_end(planner_); }
+  bool is_target_met(std::size_t n_faces, std::size_t n_vertices) const override {
+    return detail::is_own_target_met(planner_, n_faces, n_vertices);
+  }
 
   float collapse_priority(const CollapseInfo& ci) override {
     const Collapse* collapse = planned(ci);

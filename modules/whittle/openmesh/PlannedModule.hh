@@ -17,6 +17,8 @@ class PlannedModule {
   /// Whether its own parameters say where to stop. Of Whittle's planners only mq, without a target or a bound, has no
   /// end of its own.
   virtual bool has_end() const = 0;
+  /// Whether the target that its own parameters name, if any, is met by so many faces and vertices.
+  virtual bool is_target_met(std::size_t n_faces, std::size_t n_vertices) const = 0;
 
   // A driver that carries the plan out alone, without asking any module for priorities, uses these.
 

@@ -14,7 +14,7 @@ namespace whittle {
 struct RunReport {
   std::size_t collapses = 0;            ///< carried out in this run
   std::size_t faces = 0, vertices = 0;  ///< left, without deleted ones
-  bool target_reached = true;           ///< true where none was given
+  bool target_reached = true;           ///< the run's or else the module's own; true where there is none
   bool halted = false;                  ///< the observer called a halt
 
   /// Vertices that are locked, features, or not selected where only selected ones may go.
@@ -41,7 +41,10 @@ struct RunReport {
     add(record.refused_by_bound, " merges refused by the bound on the distance");
     add(refused, " planned collapses refused by other modules or illegal by now");
     add(illegal, " vertices have no legal collapse");
-    add(forbidden, " vertices have legal collapses that the modules' thresholds or constraints forbid");
+    add(forbidden,
+        " vertices have legal collapses that the modules forbid: a threshold, a constraint, or the end of "
+        "the "
+        "passes (set_passes)");
     return text.empty() ? "nothing is left that could collapse" : text;
   }
 };

@@ -121,6 +121,24 @@ bool has_end(const Planner& planner) {
   return HasEnd<Planner>::of(planner);
 }
 
+/// Whether a planner goes to a target of its own, as MemorylessQuadric.
+template <typename Planner, typename = void>
+struct takes_target : std::false_type {};
+template <typename Planner>
+struct takes_target<Planner, std::void_t<decltype(std::declval<Planner&>().target_faces)>> : std::true_type {
+};
+
+/// Whether a planner's own target is met, or it has none.
+template <typename Planner>
+bool is_own_target_met(const Planner& planner, std::size_t n_faces, std::size_t n_vertices) {
+  if constexpr (takes_target<Planner>::value)
+    return (planner.target_faces == 0 && planner.target_vertices == 0) ||
+           (planner.target_faces > 0 && n_faces <= planner.target_faces) ||
+           (planner.target_vertices > 0 && n_vertices <= planner.target_vertices);
+  else
+    return true;
+}
+
 }  // namespace detail
 
 /// The plan of a planner that is run several times.

@@ -110,7 +110,9 @@ void SphereScan::collect(const SurfaceT<Real>& surface, std::uint32_t v,
 template <typename Real>
 CollapsePlan SphereScan::plan(const SurfaceT<Real>& surface) const {
   validate();
-  if (!radius) throw NotReady("SphereScan: radius is not set: how near must neighbours be to merge?");
+  if (!radius)
+    throw NotReady(
+        "SphereScan: radius is not set: how near must neighbours be to merge? (set_radius of the module)");
   PlanDraftT<Real> draft(surface, guard);
   std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   Cluster cluster;

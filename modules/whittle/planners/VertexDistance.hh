@@ -56,7 +56,9 @@ template <typename Real>
 CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
   validate();
   if (!max_distance)
-    throw NotReady("VertexDistance: max_distance is not set: how short must an edge be to fold?");
+    throw NotReady(
+        "VertexDistance: max_distance is not set: how short must an edge be to fold? (set_max_distance of "
+        "the module)");
   PlanDraftT<Real> draft(surface, guard);
   std::vector<std::uint8_t> folded(surface.n_vertices(), false);
   using Verdict = typename PlanDraftT<Real>::Verdict;

@@ -76,7 +76,9 @@ std::size_t Vtd::choose(const SurfaceT<Real>& surface, std::uint32_t face,
 template <typename Real>
 CollapsePlan Vtd::plan(const SurfaceT<Real>& surface) const {
   validate();
-  if (!max_distance) throw NotReady("Vtd: max_distance is not set: how short must an edge be to count?");
+  if (!max_distance)
+    throw NotReady(
+        "Vtd: max_distance is not set: how short must an edge be to count? (set_max_distance of the module)");
   PlanDraftT<Real> draft(surface, guard);
   std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   using Verdict = typename PlanDraftT<Real>::Verdict;
