@@ -51,9 +51,7 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
   /// that makes more than 12 values a vertex.
   /// \throw InvalidParameter
   void set_value_weights(const ValueWeights& weights) {
-    for (const double weight : {weights.normals, weights.colours, weights.texture})
-      if (!(weight >= 0 && weight < HUGE_VAL))
-        throw InvalidParameter("the weight of a value must not be negative, and finite");
+    weights.validate();
     weights_ = weights;
     this->forget();
   }

@@ -119,13 +119,14 @@ inline Target make_target(const DecimateOptions& options, std::size_t n_faces) {
 /// \throw InvalidParameter, NotReady
 template <typename Planner>
 Planner with_options(Planner planner, const DecimateOptions& options, const Target& target) {
+  if (!(options.max_distance >= 0))
+    throw InvalidParameter("decimate: max_distance must be a length of at least 0");
+  options.values.validate();
   if constexpr (takes_target<Planner>::value) {
     if (target.any()) {
       planner.target_faces = target.faces;
       planner.target_vertices = target.vertices;
     }
-    if (!(options.max_distance >= 0))
-      throw InvalidParameter("decimate: max_distance must be a length of at least 0");
     planner.max_distance = std::min(planner.max_distance, options.max_distance);
   } else {
     if (options.max_distance < HUGE_VAL)
@@ -200,9 +201,8 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
                 SurfaceExtras& extras) override {
     add_locks(indexed, *options_, extras.flags);
     if (options_->lock_selected)
-      for (std::size_t v = 0; v < extras.flags.size(); ++v)
-        if (mesh.status(typename MeshT::VertexHandle(static_cast<int>(v))).selected())
-          extras.flags[v] |= kLocked;
+      for (const auto v : mesh.vertices())  // without deleted ones
+        if (mesh.status(v).selected()) extras.flags[static_cast<std::size_t>(v.idx())] |= kLocked;
     if (options_->weight.is_valid()) add_weights(mesh, extras.tolerance);
     add_values(mesh, options_->values, extras);
     flags_ = extras.flags;
@@ -212,12 +212,12 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
   /// A threshold that is f times as large lets an error count 1 / f^2 as much.
   void add_weights(const MeshT& mesh, std::vector<float>& tolerance) const {
     tolerance.resize(mesh.n_vertices(), 1);
-    for (std::size_t v = 0; v < tolerance.size(); ++v) {
-      const float weight = mesh.property(options_->weight, typename MeshT::VertexHandle(static_cast<int>(v)));
+    for (const auto v : mesh.vertices()) {  // without deleted ones
+      const float weight = mesh.property(options_->weight, v);
       if (!(weight > 0 && weight <= std::numeric_limits<float>::max()))
-        throw InvalidParameter("vertex " + std::to_string(v) +
+        throw InvalidParameter("vertex " + std::to_string(v.idx()) +
                                " has a weight that is not positive and finite");
-      tolerance[v] /= std::sqrt(weight);
+      tolerance[static_cast<std::size_t>(v.idx())] /= std::sqrt(weight);
     }
   }
 

@@ -168,6 +168,16 @@ TEST_CASE("the sweep tests legality again where the mesh has changed since it wa
     decimater.decimate();
     CHECK_FALSE(mesh.status(first).deleted());
   }
+  SECTION("locks of survivors, which do not move") {
+    const Mesh before = mesh;
+    for (const auto v : mesh.vertices()) mesh.status(v).set_locked(v.idx() % 3 == 0);
+    CHECK(decimater.decimate() > 0);
+    for (const auto v : before.vertices())
+      if (v.idx() % 3 == 0) {
+        CHECK_FALSE(mesh.status(v).deleted());
+        CHECK(mesh.point(v) == before.point(v));
+      }
+  }
   SECTION("flipped edges") {
     std::size_t flipped = 0;
     for (const auto e : mesh.edges())

@@ -221,6 +221,8 @@ TEST_CASE("decimate refuses what it cannot do, and leaves the mesh as it was") {
   throws([](auto& o, auto&) { o.ratio = 0.5, o.faces = 3; }, mq, bad);
   throws([](auto& o, auto&) { o.max_distance = -1; }, mq, bad);
   throws([](auto& o, auto&) { o.max_distance = 1; }, FaceAngle(), bad);
+  throws([](auto& o, auto&) { o.max_distance = std::nan(""); }, FaceAngle(), bad);
+  throws([](auto& o, auto&) { o.ratio = 0.5, o.values.normals = -1; }, mq, bad);
   throws([](auto& o, auto&) { o.ratio = 0.5, o.values.colours = 1; }, FaceAngle(), bad);
   throws([](auto& o, auto&) { o.ratio = 0.5, o.lock_feature_angle = 181; }, mq, bad);
   throws([](auto& o, auto&) { o.ratio = 0.5, o.lock_selected = true; }, mq, bad);
@@ -264,4 +266,34 @@ TEST_CASE("decimate takes a mesh without faces, and one with deleted elements") 
   CHECK(half.faces > 330);
   CHECK(mesh.n_faces() == half.faces);
   CHECK(half.vertex_map[0] == DecimateReport::kNoVertex);
+
+  // Nothing depends on where a deleted vertex lies, nor on its properties.
+  const auto decimated = [](bool is_odd) {
+    Mesh m = torus();
+    m.request_vertex_status();
+    m.request_edge_status();
+    m.request_face_status();
+    m.delete_vertex(Mesh::VertexHandle(0));
+    OpenMesh::VPropHandleT<float> weight;
+    m.add_property(weight);
+    for (const auto v : m.all_vertices()) m.property(weight, v) = 1;
+    if (is_odd) {
+      m.set_point(Mesh::VertexHandle(0), {NAN, 1e30f, 0});
+      m.property(weight, Mesh::VertexHandle(0)) = -1;
+      m.status(Mesh::VertexHandle(0)).set_selected(true);
+    }
+    DecimateOptions options;
+    options.vertices = 100;
+    options.weight = weight;
+    options.tolerance = weight;
+    options.lock_selected = true;
+    const DecimateReport hundred = decimate(m, options);
+    CHECK(hundred.vertices == 100);
+    CHECK(hundred.record.planned == 235);
+    CHECK(hundred.held == 0);
+    return to_indexed(m);
+  };
+  const auto plain = decimated(false), odd = decimated(true);
+  CHECK(plain.points == odd.points);
+  CHECK(plain.triangles == odd.triangles);
 }

@@ -123,17 +123,20 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     auto indexed = to_indexed(mesh);
     SurfaceExtras extras;
     extras.flags = flags_ = detail::user_flags(mesh);
-    if (tolerance_.is_valid())
-      for (std::size_t v = 0; v < mesh.n_vertices(); ++v)
-        extras.tolerance.push_back(
-            mesh.property(tolerance_, typename MeshT::VertexHandle(static_cast<int>(v))));
+    const std::size_t n_deleted = hide_deleted(indexed);
+    if (tolerance_.is_valid()) {
+      extras.tolerance.assign(mesh.n_vertices(), 1);
+      for (const auto v : mesh.vertices())
+        extras.tolerance[static_cast<std::size_t>(v.idx())] = mesh.property(tolerance_, v);
+    }
     describe(mesh, indexed, extras);
     const auto enough = [&](const auto& stages) {
-      return stages.n_faces() <= enough_faces_ || stages.n_vertices() <= enough_vertices_;
+      return stages.n_faces() <= enough_faces_ || stages.n_vertices() <= enough_vertices_ + n_deleted;
     };
-    plan_ = detail::plan_mesh(planner_.scaled(this->error_tolerance_factor_), indexed, std::move(extras),
-                              passes_, threads_, enough)
-                .plan;
+    Planner planner = planner_.scaled(this->error_tolerance_factor_);
+    if constexpr (detail::takes_target<Planner>::value)
+      if (planner.target_vertices > 0) planner.target_vertices += n_deleted;
+    plan_ = detail::plan_mesh(planner, indexed, std::move(extras), passes_, threads_, enough).plan;
     rank_.assign(indexed.points.size(), kNotPlanned);
     for (std::size_t i = 0; i < plan_.collapses.size(); ++i)
       rank_[plan_.collapses[i].from] = static_cast<std::uint32_t>(i);
@@ -271,6 +274,26 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     return typename MeshT::VertexHandle(static_cast<int>(v));
   }
 
+  /// Puts deleted vertices, which keep their indices, where a living one is, so that nothing depends on them.
+  /// \return how many there are
+  std::size_t hide_deleted(IndexedMeshT<typename MeshT::Scalar>& indexed) const {
+    const MeshT& mesh = mesh_ref();
+    if (!mesh.has_vertex_status()) return 0;
+    std::size_t n = 0, living = 0;
+    while (living < indexed.points.size() &&
+           mesh.status(vertex(static_cast<std::uint32_t>(living))).deleted())
+      ++living;
+    for (std::size_t v = 0; v < indexed.points.size(); ++v) {
+      if (!mesh.status(vertex(static_cast<std::uint32_t>(v))).deleted()) continue;
+      ++n;
+      if (living < indexed.points.size())
+        indexed.points[v] = indexed.points[living];
+      else
+        indexed.points[v].setZero();
+    }
+    return n;
+  }
+
   const MeshT& mesh_ref() const { return const_cast<ModPlannedT*>(this)->ModBase::mesh(); }
 
   const Collapse* planned(const CollapseInfo& ci) {
@@ -303,7 +326,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
       after = detail::place_of_part<typename MeshT::Scalar>(before, {from[0], from[1], from[2]},
                                                             collapse.target, merged);
     }
-    if (after == before) return false;
+    const bool is_held = mesh.has_vertex_status() && (mesh.status(v1).locked() || mesh.status(v1).feature());
+    if (after == before || is_held) return false;  // it may have been locked since the plan was made
     for (std::uint32_t i = 0; i < 3; ++i) p[i] = after[i];
     mesh.set_point(v1, p);
     return true;

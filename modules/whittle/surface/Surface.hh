@@ -38,6 +38,13 @@ enum class Boundary {
 struct ValueWeights {
   double normals = 0, colours = 0, texture = 0;
   bool any() const { return normals > 0 || colours > 0 || texture > 0; }
+
+  /// \throw InvalidParameter  a weight that is negative or not finite.
+  void validate() const {
+    for (const double weight : {normals, colours, texture})
+      if (!(weight >= 0 && std::isfinite(weight)))
+        throw InvalidParameter("the weight of a value must be a finite length of at least 0");
+  }
 };
 
 /// What a planner may know beside the mesh; every member may be empty.
