@@ -34,9 +34,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
                "whittle-speed");
   app.set_version_flag("--version", version::text("whittle-speed"));
   app.add_option("models", models, "Mesh files (default: the bunny and the dragon in assets/cache)");
-  app.add_option(
-         "--suite", suite,
-         "figures: all contenders; growth: how times grow with the model; all: both; truth: error and topology of mq")
+  app.add_option("--suite", suite,
+                 "figures: all contenders; growth: how times grow with the model; all: both; truth: error "
+                 "and topology of mq")
       ->capture_default_str()
       ->check(CLI::IsMember({"figures", "growth", "all", "truth"}));
   app.add_option("--rounds", line.rounds, "How often each contender is timed (default: 7; growth: 3)")
