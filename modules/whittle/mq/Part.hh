@@ -155,7 +155,7 @@ inline void Part::work(Corner c, const Placement& placement, std::size_t dearest
     for (const Corner at : unqueued)
       if (at != kNoCorner) enqueue(at, queue_.bucket());  // placed when it is taken
   } else if (queue_.bucket() + 1 < BucketQueue::kBuckets) {
-    constexpr std::size_t kLater = 4 * BucketQueue::kBucketsPerOctave;
+    constexpr std::size_t kLater = std::size_t{4} * BucketQueue::kBucketsPerOctave;
     enqueue(c, queue_.bucket() + kLater);  // it may become legal by then
   } else {
     refused.refused_by_link += verdict == Verdict::breaks_link;

@@ -98,8 +98,9 @@ auto FaceWalkT<Mesh>::nearest(const Eigen::Vector3d& p, std::initializer_list<st
 
 template <typename Mesh>
 void FaceWalkT<Mesh>::look(const Eigen::Vector3d& p, std::uint32_t face, Spot& best) const {
-  const Eigen::Vector3d &a = points_[vertex_[3 * face]], &b = points_[vertex_[3 * face + 1]],
-                        &c = points_[vertex_[3 * face + 2]];
+  const std::size_t first = std::size_t{3} * face;
+  const Eigen::Vector3d &a = points_[vertex_[first]], &b = points_[vertex_[first + 1]],
+                        &c = points_[vertex_[first + 2]];
   at_closest_point(p, a, b, c, [&](const Eigen::Vector3d& corner, const auto&... step) {
     Eigen::Vector3d offset = p - corner;
     ((offset -= step.share * step.side), ...);
