@@ -167,7 +167,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     if (planned(ci)) before_collapse(ci.v0v1.idx());
   }
   void postprocess_collapse(const CollapseInfo& ci) override {
-    if (const Collapse* collapse = planned(ci)) after_collapse(rank_[collapse->from]);
+    // The decimater has refreshed the normals around the survivor, but not where it lies now.
+    if (const Collapse* collapse = planned(ci))
+      if (settle(rank_[collapse->from])) refresh_normals(ci.v1);
   }
 
   void after_collapses(std::size_t n) override {
@@ -195,16 +197,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   void before_collapse(int halfedge) override {
     attributes_.before(this->mesh(), typename MeshT::HalfedgeHandle(halfedge));
   }
-  /// Moves the survivor to its target, and refreshes the normals of the faces around it.
   void after_collapse(std::size_t rank) override {
-    executed_[rank] = true;
-    const bool moved = place_survivor(rank);
-    auto& mesh = this->mesh();
-    const Collapse& collapse = plan_.collapses[rank];
-    attributes_.after(mesh, vertex(collapse.from), vertex(collapse.to), moved);
-    if (!mesh.has_face_normals()) return;
-    for (auto f = mesh.cvf_iter(vertex(collapse.to)); f.is_valid(); ++f)
-      mesh.set_normal(*f, mesh.calc_face_normal(*f));
+    settle(rank);
+    refresh_normals(vertex(plan_.collapses[rank].to));
   }
 
   /// What has become of the plan. Ask before garbage collection, while the mesh has vertex and edge status.
@@ -272,6 +267,22 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
 
   static typename MeshT::VertexHandle vertex(std::uint32_t v) {
     return typename MeshT::VertexHandle(static_cast<int>(v));
+  }
+
+  /// Moves the survivor of a collapse that has been executed to its place, with its attributes.
+  /// \return whether it has moved
+  bool settle(std::size_t rank) {
+    executed_[rank] = true;
+    const bool moved = place_survivor(rank);
+    const Collapse& collapse = plan_.collapses[rank];
+    attributes_.after(this->mesh(), vertex(collapse.from), vertex(collapse.to), moved);
+    return moved;
+  }
+
+  void refresh_normals(typename MeshT::VertexHandle v) {
+    auto& mesh = this->mesh();
+    if (!mesh.has_face_normals()) return;
+    for (auto f = mesh.cvf_iter(v); f.is_valid(); ++f) mesh.set_normal(*f, mesh.calc_face_normal(*f));
   }
 
   /// Puts deleted vertices, which keep their indices, where a living one is, so that nothing depends on them.
