@@ -30,7 +30,5 @@ left_out=$((${#touched[@]} > most ? ${#touched[@]} - most : 0))
 echo "test/tidy.sh: the library's headers and ${#touched[@]} touched sources$( ((left_out)) && echo " but $left_out")"
 system=(-isystem /usr/include/eigen3)
 clang-tidy --quiet test/headers/everything.cc -- -std=c++17 -I modules "${system[@]}"
-# The sources are not clean yet: what is found in them is shown, and fails nothing.
 ((${#touched[@]} == 0)) ||
-  printf '%s\0' "${touched[@]:0:most}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/tidy ||
-  echo "test/tidy.sh: findings in touched sources; please mend them"
+  printf '%s\0' "${touched[@]:0:most}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/tidy

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "recipe/Floor.hh"
 #include "recipe/Planner.hh"
 #include "recipe/Spec.hh"
+#include "whittle/plan/TargetCount.hh"
 
 namespace whittle::recipe {
 
@@ -77,7 +77,7 @@ struct Module {
   std::string bound = {};
 
   /// Of planned modules. \throw RecipeError  values that contradict each other.
-  std::function<Planner(const Spec&, const Scale&, const Floor&)> make_planner = {};
+  std::function<Planner(const Spec&, const Scale&, const TargetCount&)> make_planner = {};
   /// Of stock modules: adds the module to an OpenMesh decimater.
   std::function<void(StockDecimater&, const Spec&, const Scale&)> add = {};
 

@@ -62,14 +62,14 @@ std::size_t count_held(const SurfaceExtras& extras) {
   return held;
 }
 
-Floor floor_of(const Target& target, const IndexedMesh& mesh) {
-  Floor floor;
+TargetCount count_of(const Target& target, const IndexedMesh& mesh) {
+  TargetCount count;
   if (target.ratio)
-    floor.faces = std::max<std::size_t>(
+    count.faces = std::max<std::size_t>(
         1, static_cast<std::size_t>(*target.ratio * static_cast<double>(mesh.triangles.size())));
-  if (target.faces) floor.faces = *target.faces;
-  if (target.vertices) floor.vertices = *target.vertices;
-  return floor;
+  if (target.faces) count.faces = *target.faces;
+  if (target.vertices) count.vertices = *target.vertices;
+  return count;
 }
 
 Task make_task(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
@@ -78,7 +78,7 @@ Task make_task(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& mon
   return {mesh,
           stages_of(recipe),
           scale,
-          floor_of(recipe.target, mesh),
+          count_of(recipe.target, mesh),
           extras(mesh, recipe.modules.front(), scale, givens),
           monitor};
 }
@@ -193,7 +193,7 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor
     result.attributes =
         attributes::transfer(*givens.attributes, {mesh, result.mesh, result.vertex_map, result.face_origin});
   if (recipe.delaunay) retriangulate_result(mesh, recipe, bound, result);
-  result.target_reached = !task.floor.any() || task.floor.reached(result.mesh);
+  result.target_reached = !task.target.any() || task.is_target_met(result.mesh);
   return result;
 }
 
@@ -201,10 +201,10 @@ CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& 
                   const Givens& givens) {
   const Task task = make_task(mesh, recipe, monitor, givens);
   Stage stage = task.stages.front();
-  if (!stage.is_planned() || task.floor.reached(mesh)) return {{}, {0}, {}};
+  if (!stage.is_planned() || task.is_target_met(mesh)) return {{}, {0}, {}};
   find_threshold(task, stage, mesh, task.extras);
   CollapsePlan plan = plan_stage(task, stage, mesh, task.extras).plan;
-  plan.collapses.resize(collapses_to_floor(plan, mesh, task.floor));
+  plan.collapses.resize(collapses_to_target(plan, mesh, task.target));
   return plan;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "recipe/Catalogue.hh"
-#include "recipe/Floor.hh"
 #include "recipe/Recipe.hh"
+#include "whittle/plan/TargetCount.hh"
 
 namespace whittle::recipe {
 
@@ -31,9 +31,13 @@ struct Task {
   const IndexedMesh& mesh;
   std::vector<Stage> stages;
   Scale scale;
-  Floor floor;
+  TargetCount target;
   SurfaceExtras extras;  ///< of the mesh
   Monitor monitor;
+
+  bool is_target_met(const IndexedMesh& result) const {
+    return target.is_met(result.triangles.size(), result.points.size());
+  }
 
   /// Tells the monitor how many faces are left. \return false: it ends the run.
   bool goes_on(const Stage& stage, std::size_t faces) const {
@@ -46,8 +50,8 @@ struct Task {
 RepeatedPlan plan_stage(const Task& task, const Stage& stage, const IndexedMesh& mesh,
                         const SurfaceExtras& extras);
 
-/// The shortest beginning of a plan that reaches the floor, or all of it.
-std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh, const Floor& floor);
+/// The shortest beginning of a plan that reaches the target, or all of it.
+std::size_t collapses_to_target(const CollapsePlan& plan, const IndexedMesh& mesh, const TargetCount& target);
 
 /// Gives a stage that has a target and no threshold the least threshold that reaches the target; the largest
 /// sensible one if none does. Other stages stay as they are.

@@ -91,9 +91,9 @@ class Halt : public om::Observer {
 };
 
 template <typename Decimater>
-void decimate(Decimater& decimater, const Mesh&, const Floor& floor, const Halt&) {
-  if (floor.any())
-    decimater.decimate_to_faces(floor.vertices, floor.faces);
+void decimate(Decimater& decimater, const Mesh&, const TargetCount& target, const Halt&) {
+  if (target.any())
+    decimater.decimate_to_faces(target.vertices, target.faces);
   else
     decimater.decimate();
 }
@@ -101,20 +101,21 @@ void decimate(Decimater& decimater, const Mesh&, const Floor& floor, const Halt&
 /// McDecimaterT draws half-edges with rand() and gives up after some 200 misses in a row, long before a plan
 /// is done; so it is started again until a whole run finds nothing. From no half-edges at all it draws one
 /// none the less.
-void decimate(om::McDecimaterT<Mesh>& decimater, const Mesh& mesh, const Floor& floor, const Halt& halt) {
+void decimate(om::McDecimaterT<Mesh>& decimater, const Mesh& mesh, const TargetCount& target,
+              const Halt& halt) {
   if (mesh.n_halfedges() == 0) return;
   std::srand(1);
-  if (floor.any())
-    decimater.decimate_to_faces(floor.vertices, floor.faces);
+  if (target.any())
+    decimater.decimate_to_faces(target.vertices, target.faces);
   else
     while (!halt.abort() && decimater.decimate(mesh.n_vertices()) > 0) continue;
 }
 
-/// How many planned collapses were not executed; where the floor is reached, how many of those before the
+/// How many planned collapses were not executed; where the target is reached, how many of those before the
 /// last that was.
 std::size_t passed_over(const CollapsePlan& plan, const std::vector<std::pair<int, int>>& executed,
-                        bool floor_reached) {
-  if (!floor_reached) return plan.collapses.size() - executed.size();
+                        bool target_met) {
+  if (!target_met) return plan.collapses.size() - executed.size();
   std::vector<std::uint32_t> gone;
   for (const auto& [from, to] : executed) gone.push_back(static_cast<std::uint32_t>(from));
   std::sort(gone.begin(), gone.end());
@@ -146,13 +147,13 @@ Decimated drive(const Task& task, const Stage& stage, const IndexedMesh& in, con
   decimater.set_observer(&halt);
   Stopwatch watch;
   decimater.initialize();
-  decimate(decimater, copy.mesh, task.floor, halt);
+  decimate(decimater, copy.mesh, task.target, halt);
   if (halt.abort()) throw Cancelled();
   report.execute_seconds += watch.lap();
 
   Decimated out = copy.take(record.collapses);
   report.collapses += record.collapses.size();
-  if (plan) report.refused_by_decimater += passed_over(*plan, record.collapses, task.floor.reached(out.mesh));
+  if (plan) report.refused_by_decimater += passed_over(*plan, record.collapses, task.is_target_met(out.mesh));
   return out;
 }
 

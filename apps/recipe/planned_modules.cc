@@ -1,5 +1,5 @@
-#include "recipe/Floor.hh"
 #include "recipe/keys.hh"
+#include "whittle/plan/TargetCount.hh"
 #include "whittle/planners/Circumcenter.hh"
 #include "whittle/planners/FaceAngle.hh"
 #include "whittle/planners/Fass.hh"
@@ -62,7 +62,7 @@ constexpr char kRequired[] = "required without a target";
 
 // Each module: its entry, and the planner that a spec stands for.
 
-Planner make_circumcenter(const Spec& spec, const Scale&, const Floor&) {
+Planner make_circumcenter(const Spec& spec, const Scale&, const TargetCount&) {
   Circumcenter planner;
   read_triangle_placement(spec, planner);
   read_order(spec, planner);
@@ -124,13 +124,13 @@ Module fad() {
   module.keys = joined({face_angle_keys(), common_keys()});
   module.threshold = "angle";
   module.ends_by_itself = true;
-  module.make_planner = [](const Spec& spec, const Scale&, const Floor&) {
+  module.make_planner = [](const Spec& spec, const Scale&, const TargetCount&) {
     return Planner(face_angle(spec));
   };
   return module;
 }
 
-Planner make_vertex_distance(const Spec& spec, const Scale& scale, const Floor&) {
+Planner make_vertex_distance(const Spec& spec, const Scale& scale, const TargetCount&) {
   VertexDistance planner;
   planner.max_distance = spec.length("distance", scale);
   read_triangle_placement(spec, planner);
@@ -175,13 +175,13 @@ Module ss() {
   module.meaning = "merges what a moving sphere covers";
   module.keys = joined({sphere_scan_keys(), common_keys()});
   module.threshold = "radius";
-  module.make_planner = [](const Spec& spec, const Scale& scale, const Floor&) {
+  module.make_planner = [](const Spec& spec, const Scale& scale, const TargetCount&) {
     return Planner(sphere_scan(spec, scale));
   };
   return module;
 }
 
-Planner make_vtd(const Spec& spec, const Scale& scale, const Floor&) {
+Planner make_vtd(const Spec& spec, const Scale& scale, const TargetCount&) {
   Vtd planner;
   planner.max_distance = spec.length("distance", scale);
   if (spec.word("fold") == "literal") planner.fold = Vtd::Fold::literal;
@@ -210,19 +210,19 @@ Module fass() {
   module.meaning = "fad, then ss on what is left";
   module.keys = joined({sphere_scan_keys(), face_angle_keys(), common_keys()});
   module.threshold = "radius";
-  module.make_planner = [](const Spec& spec, const Scale& scale, const Floor&) {
+  module.make_planner = [](const Spec& spec, const Scale& scale, const TargetCount&) {
     return Planner(Fass{face_angle(spec), sphere_scan(spec, scale)});
   };
   return module;
 }
 
-Planner make_memoryless_quadric(const Spec& spec, const Scale& scale, const Floor& floor) {
+Planner make_memoryless_quadric(const Spec& spec, const Scale& scale, const TargetCount& target) {
   if (spec.has("max-distance") && spec.has("passes"))
     throw RecipeError("module '" + spec.name +
                       "': a pass would measure max-distance from what the last one has left; it takes one");
   MemorylessQuadric planner;
-  planner.target_faces = floor.faces;
-  planner.target_vertices = floor.vertices;
+  planner.target_faces = target.faces;
+  planner.target_vertices = target.vertices;
   planner.feature_angle = spec.number("feature").value_or(planner.feature_angle);
   planner.max_distance = spec.length("max-distance", scale).value_or(planner.max_distance);
   read_guard(spec, planner);

@@ -98,7 +98,7 @@ std::optional<Result> refuse_on_the_way(Task task, double bound) {
     Attempt tried = attempt(task, bound);
     if (tried.holds()) {
       Result result = finished(std::move(tried));
-      result.stopped_by_bound = !task.floor.reached(result.mesh);
+      result.stopped_by_bound = !task.is_target_met(result.mesh);
       return result;
     }
     const std::vector<double> far = excess_of_vertices(tried, task.extras.flags);
@@ -112,18 +112,18 @@ std::optional<Result> refuse_on_the_way(Task task, double bound) {
 
 /// Of a module that goes by error: the fewest faces, or vertices, that keep the bound.
 Result stop_at_bound(Task task, double bound) {
-  const bool has_target = task.floor.any(), by_vertices = task.floor.vertices > 0;
-  std::size_t low = std::max<std::size_t>(1, by_vertices ? task.floor.vertices : task.floor.faces);
+  const bool has_target = task.target.any(), by_vertices = task.target.vertices > 0;
+  std::size_t low = std::max<std::size_t>(1, by_vertices ? task.target.vertices : task.target.faces);
   std::size_t high = by_vertices ? task.mesh.points.size() : task.mesh.triangles.size();
   const auto at = [&](std::size_t count) {
-    task.floor = by_vertices ? Floor{0, count} : Floor{count, 0};
+    task.target = by_vertices ? TargetCount{0, count} : TargetCount{count, 0};
     return attempt(task, bound);
   };
   if (has_target || !keeps_bound_itself(task)) {
     Attempt all = at(low);
     if (all.holds()) return finished(std::move(all));
   } else {
-    task.floor = {low, 0};
+    task.target = {low, 0};
   }
   if (keeps_bound_itself(task))
     if (auto kept = refuse_on_the_way(task, bound)) return std::move(*kept);
@@ -145,7 +145,7 @@ Result stop_at_bound(Task task, double bound) {
 
 /// The stage that has no threshold and no target to search one for, if there is one.
 Stage* open_stage(Task& task) {
-  if (task.floor.any()) return nullptr;
+  if (task.target.any()) return nullptr;
   const auto found = std::find_if(task.stages.begin(), task.stages.end(), [](const Stage& stage) {
     const Module& module = find_module(stage.module.name);
     return !module.threshold.empty() && !module.ends_by_itself && !has_threshold(stage.module);

@@ -9,22 +9,19 @@
 namespace whittle::recipe {
 namespace {
 
-/// Enough for any threshold to come to rest; an erosion that goes on longer is not what a user wants.
-constexpr std::size_t kPassesToTarget = 200;
-
 std::size_t max_passes(const Task& task, const Stage& stage) {
   if (!stage.is_planned()) return 1;
   if (const auto passes = stage.module.number("passes")) return static_cast<std::size_t>(*passes);
   const std::string& bound = find_module(stage.module.name).bound;
   const bool is_bounded = !bound.empty() && stage.module.has(bound);
-  return task.floor.any() && !is_bounded ? kPassesToTarget : 1;
+  return task.target.any() && !is_bounded ? detail::kPassesToTarget : 1;
 }
 
 /// Executes a plan on the flat arrays.
-Decimated execute_bulk(const IndexedMesh& mesh, const CollapsePlan& plan, const Floor& floor,
+Decimated execute_bulk(const IndexedMesh& mesh, const CollapsePlan& plan, const TargetCount& target,
                        StageResult& report) {
   Stopwatch watch;
-  const std::size_t n = collapses_to_floor(plan, mesh, floor);
+  const std::size_t n = collapses_to_target(plan, mesh, target);
   auto executed = execute(plan, mesh, n);
   report.execute_seconds += watch.lap();
   report.collapses += n;
@@ -38,7 +35,7 @@ Decimated planned_pass(const Task& task, const Stage& stage, const IndexedMesh& 
   report.plan_seconds += watch.lap();
   report.passes += plan.passes;
   report.record += plan.plan.record;
-  return stage.driver == Driver::bulk ? execute_bulk(mesh, plan.plan, task.floor, report)
+  return stage.driver == Driver::bulk ? execute_bulk(mesh, plan.plan, task.target, report)
                                       : execute_by_openmesh(task, stage, mesh, extras, plan.plan, report);
 }
 
@@ -47,7 +44,7 @@ void run_passes(const Task& task, const Stage& stage, Decimated& now, SurfaceExt
                 StageResult& report) {
   const bool is_at_once = stage.constraints.empty() || !stage.is_planned();
   const std::size_t most = max_passes(task, stage);
-  while (report.passes < most && !task.floor.reached(now.mesh)) {
+  while (report.passes < most && !task.is_target_met(now.mesh)) {
     const std::size_t collapses = report.collapses;
     Decimated pass = stage.is_planned() ? planned_pass(task, stage, now.mesh, extras, report)
                                         : run_stock_modules(task, stage, now.mesh, extras, report);
@@ -57,16 +54,16 @@ void run_passes(const Task& task, const Stage& stage, Decimated& now, SurfaceExt
   }
 }
 
-/// Whether a stage with this threshold reaches the floor.
-bool reaches_floor(const Task& task, Stage stage, double threshold, const IndexedMesh& mesh,
-                   SurfaceExtras extras) {
+/// Whether a stage with this threshold reaches the target.
+bool reaches_target(const Task& task, Stage stage, double threshold, const IndexedMesh& mesh,
+                    SurfaceExtras extras) {
   stage.module = with_threshold(stage.module, threshold);
   // All drivers execute the same plan, so the fastest one may search, unless constraints change what it does.
   if (stage.constraints.empty()) stage.driver = Driver::bulk;
   Decimated attempt = Decimated::unchanged(mesh);
   StageResult report;
   run_passes(task, stage, attempt, extras, report);
-  return task.floor.reached(attempt.mesh);
+  return task.is_target_met(attempt.mesh);
 }
 
 /// The least threshold in a range that reaches, to 0.2 %; the last one if none does.
@@ -94,18 +91,19 @@ RepeatedPlan plan_stage(const Task& task, const Stage& stage, const IndexedMesh&
     if (!task.goes_on(stage, faces)) throw Cancelled();
   };
   report(mesh.triangles.size());
-  const Planner planner = find_module(stage.module.name).make_planner(stage.module, task.scale, task.floor);
+  const Planner planner = find_module(stage.module.name).make_planner(stage.module, task.scale, task.target);
   const auto enough = [&](std::size_t faces, std::size_t vertices) {
     report(faces);
-    return task.floor.reached(faces, vertices);
+    return task.target.is_met(faces, vertices);
   };
   return planner.plan(mesh, extras, stage.constraints.empty() ? max_passes(task, stage) : 1, enough);
 }
 
-std::size_t collapses_to_floor(const CollapsePlan& plan, const IndexedMesh& mesh, const Floor& floor) {
+std::size_t collapses_to_target(const CollapsePlan& plan, const IndexedMesh& mesh,
+                                const TargetCount& target) {
   std::size_t faces = mesh.triangles.size(), vertices = mesh.points.size(), n = 0;
   for (const Collapse& collapse : plan.collapses) {
-    if (floor.reached(faces, vertices)) break;
+    if (target.is_met(faces, vertices)) break;
     faces -= collapse.faces;
     --vertices;
     ++n;
@@ -121,10 +119,10 @@ ThresholdRange threshold_range(const Module& module, const Scale& scale) {
 
 void find_threshold(const Task& task, Stage& stage, const IndexedMesh& mesh, const SurfaceExtras& extras) {
   const Module& module = find_module(stage.module.name);
-  if (!stage.is_planned() || !task.floor.any() || module.threshold.empty() || has_threshold(stage.module))
+  if (!stage.is_planned() || !task.target.any() || module.threshold.empty() || has_threshold(stage.module))
     return;
   const double threshold = least_threshold(threshold_range(module, task.scale), [&](double tried) {
-    return reaches_floor(task, stage, tried, mesh, extras);
+    return reaches_target(task, stage, tried, mesh, extras);
   });
   stage.module = with_threshold(stage.module, threshold);
 }

@@ -17,8 +17,10 @@
 #include "whittle/SweepDecimaterT.hh"
 #include "whittle/compact.hh"
 #include "whittle/openmesh/ModPlannedT.hh"
+#include "whittle/openmesh/RunReport.hh"
 #include "whittle/openmesh/convert.hh"
 #include "whittle/openmesh/describe.hh"
+#include "whittle/plan/TargetCount.hh"
 #include "whittle/plan/execute.hh"
 #include "whittle/plan/locks.hh"
 #include "whittle/plan/plan_mesh.hh"
@@ -83,20 +85,8 @@ struct DecimatedT : DecimateReport {
 
 namespace detail {
 
-/// How often a planner runs where a target asks for more than one pass: enough for any threshold to come to rest.
-constexpr std::size_t kPassesToTarget = 200;
-
-/// How many elements may be left; 0: any number.
-struct Target {
-  std::size_t faces = 0, vertices = 0;
-  bool any() const { return faces > 0 || vertices > 0; }
-  bool is_met(std::size_t n_faces, std::size_t n_vertices) const {
-    return !any() || (faces > 0 && n_faces <= faces) || (vertices > 0 && n_vertices <= vertices);
-  }
-};
-
 /// \throw InvalidParameter
-inline Target make_target(const DecimateOptions& options, std::size_t n_faces) {
+inline TargetCount make_target(const DecimateOptions& options, std::size_t n_faces) {
   if (options.ratio.has_value() + options.faces.has_value() + options.vertices.has_value() > 1)
     throw InvalidParameter("decimate: only one of ratio, faces and vertices can be the target");
   if (options.ratio && !(*options.ratio > 0 && *options.ratio <= 1))
@@ -106,7 +96,7 @@ inline Target make_target(const DecimateOptions& options, std::size_t n_faces) {
     throw InvalidParameter("decimate: a target of 0 faces or vertices would leave nothing; the least is 1");
   if (!(options.lock_feature_angle >= 0 && options.lock_feature_angle <= 180))
     throw InvalidParameter("decimate: the feature angle must be in 0..180 degrees");
-  Target target;
+  TargetCount target;
   if (options.ratio)
     target.faces =
         std::max<std::size_t>(1, static_cast<std::size_t>(*options.ratio * static_cast<double>(n_faces)));
@@ -118,7 +108,7 @@ inline Target make_target(const DecimateOptions& options, std::size_t n_faces) {
 /// The planner with what the options say of it.
 /// \throw InvalidParameter, NotReady
 template <typename Planner>
-Planner with_options(Planner planner, const DecimateOptions& options, const Target& target) {
+Planner with_options(Planner planner, const DecimateOptions& options, const TargetCount& target) {
   if (!(options.max_distance >= 0))
     throw InvalidParameter("decimate: max_distance must be a length of at least 0");
   options.values.validate();
@@ -143,7 +133,7 @@ Planner with_options(Planner planner, const DecimateOptions& options, const Targ
 }
 
 template <typename Planner>
-std::size_t passes_of(const DecimateOptions& options, const Target& target) {
+std::size_t passes_of(const DecimateOptions& options, const TargetCount& target) {
   if (options.passes > 0) return options.passes;
   return target.any() && !takes_target<Planner>::value ? kPassesToTarget : 1;
 }
@@ -167,18 +157,14 @@ inline void count_held(const std::vector<std::uint8_t>& flags, DecimateReport& r
 }
 
 /// Fills in whether the target was reached, and why not.
-inline void conclude(const Target& target, DecimateReport& report) {
-  report.target_reached = target.is_met(report.faces, report.vertices);
+inline void conclude(const TargetCount& target, DecimateReport& report) {
+  report.target_reached = !target.any() || target.is_met(report.faces, report.vertices);
   if (report.target_reached) return;
-  const auto add = [&](std::size_t n, const char* what) {
-    if (n > 0) report.why += (report.why.empty() ? "" : "; ") + std::to_string(n) + what;
-  };
-  add(report.held, " vertices are locked or features");
-  add(report.seams, " vertices lie on seams");
-  add(report.record.refused_by_flip_guard, " merges refused by the flip guard");
-  add(report.record.refused_by_link, " merges refused by the link condition");
-  add(report.record.refused_by_bound, " merges refused by max_distance");
-  if (report.why.empty()) report.why = "no further merge is legal, or within the planner's threshold";
+  Reasons reasons;
+  reasons.add(report.held, " vertices are locked or features");
+  reasons.add(report.seams, " vertices lie on seams");
+  reasons.add(report.record);
+  report.why = reasons.or_else("no further merge is legal, or within the planner's threshold");
 }
 
 /// The module that `decimate` adds to its sweep.
@@ -190,7 +176,7 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
 
   explicit ModDecimateT(MeshT& mesh) : ModPlannedT<MeshT, Planner>(mesh) {}
 
-  void set_options(const DecimateOptions& options, const Target& target) {
+  void set_options(const DecimateOptions& options, const TargetCount& target) {
     options_ = &options;
     this->set_enough(target.faces, target.vertices);
   }
@@ -279,7 +265,7 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   };
   report.faces_before = count(mesh.faces());
   report.vertices_before = count(mesh.vertices());
-  const detail::Target target = detail::make_target(options, report.faces_before);
+  const TargetCount target = detail::make_target(options, report.faces_before);
 
   SweepDecimaterT<Mesh> decimater(mesh);
   typename detail::ModDecimateT<Mesh, Planner>::Handle handle;
@@ -322,14 +308,14 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   DecimatedT<Real> out;
   out.faces_before = mesh.triangles.size();
   out.vertices_before = mesh.points.size();
-  const detail::Target target = detail::make_target(options, out.faces_before);
+  const TargetCount target = detail::make_target(options, out.faces_before);
   const Planner ready = detail::with_options(planner, options, target);
   if (!extras.flags.empty() && extras.flags.size() != mesh.points.size())
     throw InvalidParameter("decimate: the extras must have flags for each vertex, or none");
   detail::add_locks(mesh, options, extras.flags);
   detail::count_held(extras.flags, out);
   const auto enough = [&](const auto& stages) {
-    return target.any() && target.is_met(stages.n_faces(), stages.n_vertices());
+    return target.is_met(stages.n_faces(), stages.n_vertices());
   };
   const CollapsePlan plan =
       detail::plan_mesh(ready, mesh, std::move(extras), detail::passes_of<Planner>(options, target),
@@ -338,7 +324,7 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   std::size_t n = 0;
   out.faces = out.faces_before;
   out.vertices = out.vertices_before;
-  while (n < plan.collapses.size() && !(target.any() && target.is_met(out.faces, out.vertices))) {
+  while (n < plan.collapses.size() && !target.is_met(out.faces, out.vertices)) {
     out.faces -= plan.collapses[n++].faces;
     --out.vertices;
   }

@@ -49,7 +49,7 @@ IndexedMesh bunny_or_nothing() {
     REQUIRE(bunny.triangles.size() == 69666);
     return bunny;
   } catch (const files::FileError&) {
-    WARN("skipped: assets/fetch.sh bunny has not been run");
+    tests::skip("assets/fetch.sh bunny has not been run");
     return {};
   }
 }

@@ -1,7 +1,7 @@
 #include "recipe/Spec.hh"
 #include "catch.hh"
 #include "recipe/Catalogue.hh"
-#include "recipe/Floor.hh"
+#include "whittle/plan/TargetCount.hh"
 #include "whittle/planners/Circumcenter.hh"
 #include "whittle/planners/FaceAngle.hh"
 #include "whittle/planners/Fass.hh"
@@ -18,9 +18,9 @@ namespace {
 const Scale kScale{0.5, 20};
 
 template <typename P>
-P planner(const std::string& text, const Floor& floor = {}) {
+P planner(const std::string& text, const TargetCount& target = {}) {
   const Spec spec = parse_spec(text);
-  return find_module(spec.name).make_planner(spec, kScale, floor).template as<P>();
+  return find_module(spec.name).make_planner(spec, kScale, target).template as<P>();
 }
 FaceAngle fad(const std::string& text) {
   return planner<FaceAngle>(text);

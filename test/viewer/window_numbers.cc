@@ -55,7 +55,7 @@ void choose_fass_and_move_a_slider(const std::string& model) {
 TEST_CASE("the viewer's numbers of the bunny, FASS and a slider are the command line's") {
   const std::string bunny = WHITTLE_ASSETS "/cache/bunny.obj";
   if (!std::filesystem::exists(bunny)) {
-    WARN("skipped: " + bunny + " is missing, see assets/README.md");
+    tests::skip(bunny + " is missing, see assets/README.md");
     return;
   }
   choose_fass_and_move_a_slider(bunny);

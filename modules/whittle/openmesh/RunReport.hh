@@ -9,6 +9,28 @@
 
 namespace whittle {
 
+namespace detail {
+
+/// Why a target was missed, in one line: counts and what they count.
+class Reasons {
+ public:
+  void add(std::size_t n, const char* what) {
+    if (n > 0) text_ += (text_.empty() ? "" : "; ") + std::to_string(n) + what;
+  }
+  /// What a planner refused.
+  void add(const PlanRecord& record) {
+    add(record.refused_by_flip_guard, " merges refused by the flip guard");
+    add(record.refused_by_link, " merges refused by the link condition");
+    add(record.refused_by_bound, " merges refused by max_distance");
+  }
+  std::string or_else(const char* text) const { return text_.empty() ? text : text_; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace detail
+
 /// What a run of a driver came to. The second half says why there was no further collapse; it is filled in where a
 /// target was missed, and 0 otherwise.
 struct RunReport {
@@ -31,21 +53,16 @@ struct RunReport {
   std::string why() const {
     if (target_reached) return {};
     if (halted) return "the observer called a halt";
-    std::string text;
-    const auto add = [&](std::size_t n, const char* what) {
-      if (n > 0) text += (text.empty() ? "" : "; ") + std::to_string(n) + what;
-    };
-    add(held, " vertices are locked, features or not selected");
-    add(record.refused_by_flip_guard, " merges refused by the flip guard");
-    add(record.refused_by_link, " merges refused by the link condition");
-    add(record.refused_by_bound, " merges refused by the bound on the distance");
-    add(refused, " planned collapses refused by other modules or illegal by now");
-    add(illegal, " vertices have no legal collapse");
-    add(forbidden,
-        " vertices have legal collapses that the modules forbid: a threshold, a constraint, or the end of "
-        "the "
-        "passes (set_passes)");
-    return text.empty() ? "nothing is left that could collapse" : text;
+    detail::Reasons reasons;
+    reasons.add(held, " vertices are locked, features or not selected");
+    reasons.add(record);
+    reasons.add(refused, " planned collapses refused by other modules or illegal by now");
+    reasons.add(illegal, " vertices have no legal collapse");
+    reasons.add(
+        forbidden,
+        " vertices have legal collapses that the modules forbid: a threshold, a constraint, or the end "
+        "of the passes (set_passes)");
+    return reasons.or_else("nothing is left that could collapse");
   }
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "whittle/plan/CollapsePlan.hh"
+#include "whittle/plan/TargetCount.hh"
 #include "whittle/plan/execute.hh"
 #include "whittle/surface/Surface.hh"
 
@@ -132,12 +133,13 @@ struct takes_target<Planner, std::void_t<decltype(std::declval<Planner&>().targe
 template <typename Planner>
 bool is_own_target_met(const Planner& planner, std::size_t n_faces, std::size_t n_vertices) {
   if constexpr (takes_target<Planner>::value)
-    return (planner.target_faces == 0 && planner.target_vertices == 0) ||
-           (planner.target_faces > 0 && n_faces <= planner.target_faces) ||
-           (planner.target_vertices > 0 && n_vertices <= planner.target_vertices);
-  else
-    return true;
+    if (const TargetCount target{planner.target_faces, planner.target_vertices}; target.any())
+      return target.is_met(n_faces, n_vertices);
+  return true;
 }
+
+/// How often a planner runs where a target asks for more than one pass: enough for any threshold to come to rest.
+constexpr std::size_t kPassesToTarget = 200;
 
 }  // namespace detail
 

@@ -16,7 +16,7 @@ using meshes::Merges;
 using Surface = SurfaceT<double>;
 using Stages = StagesT<double>;
 using planners::fad, planners::ivdd, planners::ss;
-using stages::check_same, stages::kNever, stages::least_cosine, stages::some_extras, stages::some_mesh;
+using stages::check_same, stages::kNever, stages::some_extras, stages::some_mesh;
 
 namespace {
 
