@@ -5,8 +5,10 @@
 set -euo pipefail
 
 packages=(
-  # Compilers and tools; clang for the tidy preset.
+  # Compilers and tools; clang for clang-tidy and the sanitizers' builds.
   build-essential clang clang-format clang-tidy cmake ninja-build ccache git pkg-config
+  # The sanitizers of clang, and what names the lines in their reports.
+  libclang-rt-14-dev llvm
   # The library: OpenMesh's headers lean on Eigen.
   libopenmesh-dev libeigen3-dev
   # The programs: command line, JSON, glTF, distances (the Embree package brings TBB), PNG, vertex-cache order and a peer.

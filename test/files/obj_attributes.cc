@@ -5,11 +5,11 @@
 namespace whittle::files {
 namespace {
 
-const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string kCorners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST_CASE("OBJ: corners that agree are stored per vertex") {
   const Folder folder;
-  const MeshFile file = folder.read("a.obj", corners +
+  const MeshFile file = folder.read("a.obj", kCorners +
                                                  "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0 0\nvn 0 0 1\n"
                                                  "f 1/1/1 2/2/1 3/3/1 4/4/1\nf 4/4/1 1/5/1 2/2/1\n");
   CHECK(file.mesh.triangles == Triangles{{0, 1, 2}, {0, 2, 3}, {3, 0, 1}});
@@ -25,7 +25,7 @@ TEST_CASE("OBJ: corners that agree are stored per vertex") {
 
 TEST_CASE("OBJ: a seam stays at the corners, along a fan") {
   const Folder folder;
-  const MeshFile file = folder.read("a.obj", corners +
+  const MeshFile file = folder.read("a.obj", kCorners +
                                                  "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\nvt 9 9\n"
                                                  "f 1/1 2/2 3/3 4/4\nf 3/5 2/2 1/-2\n");
   REQUIRE(file.attributes.size() == 1);
@@ -36,7 +36,7 @@ TEST_CASE("OBJ: a seam stays at the corners, along a fan") {
 TEST_CASE("OBJ: a triangle that goes takes its corners along") {
   const Folder folder;
   const MeshFile file =
-      folder.read("a.obj", corners + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/2\nf 1/2 2/2 3/1\nf 1/1 3/2 4/2\n");
+      folder.read("a.obj", kCorners + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/2\nf 1/2 2/2 3/1\nf 1/1 3/2 4/2\n");
   CHECK(file.report.dropped_degenerate == 1);
   REQUIRE(file.attributes.size() == 1);
   CHECK(file.attributes[0].corners == Triangles{{0, 0, 1}, {1, 0, 0}});
@@ -45,14 +45,14 @@ TEST_CASE("OBJ: a triangle that goes takes its corners along") {
 
 TEST_CASE("OBJ: values may come behind the faces that name them") {
   const Folder folder;
-  const MeshFile file = folder.read("a.obj", "f 1//1 2//1 3//1\n" + corners + "vn 0 1 0\n");
+  const MeshFile file = folder.read("a.obj", "f 1//1 2//1 3//1\n" + kCorners + "vn 0 1 0\n");
   REQUIRE(file.attributes.size() == 1);
   CHECK(file.attributes[0].values == std::vector<float>{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0});
 }
 
 TEST_CASE("OBJ: indices of what is not there at all are noted") {
   const Folder folder;
-  const MeshFile file = folder.read("a.obj", corners + "f 1/1/1 2/2/2 3/3/3\n");
+  const MeshFile file = folder.read("a.obj", kCorners + "f 1/1/1 2/2/2 3/3/3\n");
   CHECK(file.attributes.empty());
   CHECK(file.report.ignored ==
         Names{"indices of texture coordinates that are not there", "indices of normals that are not there"});
@@ -97,7 +97,7 @@ TEST_CASE("OBJ: colours behind coordinates") {
 
 TEST_CASE("OBJ: a value that is not finite becomes 0 and is counted") {
   const Folder folder;
-  const MeshFile file = folder.read("a.obj", corners + "vn nan 0 1\nvt 1e99 2\nf 1/1/1 2/1/1 3/1/1\n");
+  const MeshFile file = folder.read("a.obj", kCorners + "vn nan 0 1\nvt 1e99 2\nf 1/1/1 2/1/1 3/1/1\n");
   CHECK(file.report.zeroed_values == 2);
   CHECK(find(file.attributes, Kind::normal).values[0] == 0);
   CHECK(find(file.attributes, Kind::texture).values[0] == 0);

@@ -101,7 +101,7 @@ TEST_CASE("the guarded quadric leaves no face without area, be it of the right s
   const auto is_legal = [&](int onto) {
     const auto h = mesh.find_halfedge(Mesh::VertexHandle(0), Mesh::VertexHandle(onto));
     return module.collapse_priority(OpenMesh::Decimater::CollapseInfoT<Mesh>(mesh, h)) !=
-           Guarded::ILLEGAL_COLLAPSE;
+           float(Guarded::ILLEGAL_COLLAPSE);
   };
   CHECK_FALSE(is_legal(1));  // 1, 2 and 3 all but lie on a line
   CHECK(is_legal(4));

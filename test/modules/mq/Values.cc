@@ -11,7 +11,7 @@
 
 using namespace whittle;
 using meshes::IndexedMesh;
-using Vec = Eigen::Vector3f;
+using Vector = Eigen::Vector3f;
 
 namespace {
 
@@ -60,10 +60,10 @@ MemorylessQuadric down_to(std::size_t faces) {
 
 TEST_CASE("mq takes a face's slope from its values") {
   mq::Values values({1, 3, 6}, 1);
-  const Vec p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);  // 1 + x + 5 y, weight: twice the area
+  const Vector p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);  // 1 + x + 5 y, weight: twice the area
   const auto term = values.term(p, q, r, values.at(0), values.at(1), values.at(2));
   CHECK(term.slopes[0].weight == Approx(2));
-  CHECK(term.slopes[0].sum.isApprox(2 * Vec(1, 5, 0)));
+  CHECK(term.slopes[0].sum.isApprox(2 * Vector(1, 5, 0)));
   CHECK(term.form.xx == Approx(2));
   CHECK(term.form.xy == Approx(10));
   CHECK(term.form.yy == Approx(50));
@@ -72,22 +72,22 @@ TEST_CASE("mq takes a face's slope from its values") {
 
 TEST_CASE("mq's values cost nothing along an edge where they are linear, and their slope across it") {
   mq::Values values({1, 3, 6}, 1);
-  const Vec p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
+  const Vector p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
   const auto term = values.term(p, q, r, values.at(0), values.at(1), values.at(2));
   for (std::uint32_t v = 0; v < 3; ++v) values.add(v, term, 1);
   // From p to q by x along the edge the value changes by x, as the slope says.
   const mq::SymmetricMatrix own = term.form + values.along(0, 1, q - p, 0);
-  CHECK((own * Vec(1, 0, 0)).dot(Vec(1, 0, 0)) == Approx(0).margin(1e-6));
+  CHECK((own * Vector(1, 0, 0)).dot(Vector(1, 0, 0)) == Approx(0).margin(1e-6));
   // Across it the value stays while the slope says 5: the weight times 5 squared.
-  CHECK((own * Vec(0, 1, 0)).dot(Vec(0, 1, 0)) == Approx(50));
+  CHECK((own * Vector(0, 1, 0)).dot(Vector(0, 1, 0)) == Approx(50));
 }
 
 TEST_CASE("mq's values have no slope where one is NaN or the face is a sliver") {
   mq::Values values({1, NAN, 6}, 1);
-  const Vec p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
+  const Vector p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
   CHECK(values.term(p, q, r, values.at(0), values.at(1), values.at(2)).slopes[0].weight == 0);
   const float ok[] = {1, 2, 3};
-  CHECK(values.term(p, q, Vec(1, 1e-6f, 0), &ok[0], &ok[1], &ok[2]).slopes[0].weight == 0);
+  CHECK(values.term(p, q, Vector(1, 1e-6f, 0), &ok[0], &ok[1], &ok[2]).slopes[0].weight == 0);
   CHECK(values.along(0, 1, q - p, 0).trace() == 0);
 }
 
