@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
-# The whole check: packages, test models, formatting, clang-tidy, then build and tests, plain and under the sanitizers.
+# The whole check: packages, test models, formatting, clang-tidy, then the programs, built as users have them, with the tests
+# that run them, then everything with every test under the sanitizers.
 #   test/run.sh [--no-setup] [--quick|--thread]
 # --no-setup  leave out bootstrap.sh and the download of the bunny
-# --quick     leave out clang-tidy and the sanitizers
+# --quick     leave out clang-tidy and the sanitizers, and run every test in the first build
 # --thread    under the thread sanitizer instead, which the plain run leaves out
 set -euo pipefail
 
 setup=1
 presets=(ci asan+ubsan)
-tidy=1
+tidy=1 options=()
 for option in "$@"; do
   case $option in
     --no-setup) setup=0 ;;
-    --quick) presets=(ci) tidy=0 ;;
+    --quick) presets=(ci) tidy=0 options=(-DWHITTLE_UNIT_TESTS=ON) ;;
     --thread) presets=(tsan) tidy=0 ;;
     *)
       echo "usage: test/run.sh [--no-setup] [--quick|--thread]" >&2
@@ -53,7 +54,7 @@ fi
 
 for preset in "${presets[@]}"; do
   begin "$preset: configure"
-  cmake --preset "$preset"
+  cmake --preset "$preset" "${options[@]}"
   begin "$preset: build"
   cmake --build --preset "$preset"
   begin "$preset: tests"
