@@ -75,11 +75,9 @@ TargetCount count_of(const Target& target, const IndexedMesh& mesh) {
 Task make_task(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
   check(recipe);
   const Scale scale = measure_scale(mesh);
-  return {mesh,
-          stages_of(recipe),
-          scale,
-          count_of(recipe.target, mesh),
-          extras(mesh, recipe.modules.front(), scale, givens),
+  return {mesh,           stages_of(recipe),
+          scale,          count_of(recipe.target, mesh),
+          recipe.samples, extras(mesh, recipe.modules.front(), scale, givens),
           monitor};
 }
 

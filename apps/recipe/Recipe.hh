@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "attributes/Attribute.hh"
+#include "measure/Distance.hh"
 #include "recipe/Decimated.hh"
 #include "recipe/Spec.hh"
 #include "whittle/DelaunayFlips.hh"
@@ -55,6 +56,8 @@ struct Recipe {
   /// module; where the target cannot be reached within it, the target is missed. A module without threshold
   /// or target goes as far as the bound allows.
   std::optional<Length> max_distance;
+  std::size_t samples =
+      measure::DistanceOptions().samples;  ///< for that bound, on each side, besides the vertices
   Driver driver = Driver::automatic;
   /// Retriangulate the result by Delaunay flips of edges no sharper than so many degrees, 0..180 (Paper 1,
   /// the end of every algorithm). Without a value: leave it.

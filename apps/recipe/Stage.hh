@@ -32,6 +32,7 @@ struct Task {
   std::vector<Stage> stages;
   Scale scale;
   TargetCount target;
+  std::size_t samples;   ///< of a measured distance, on each side
   SurfaceExtras extras;  ///< of the mesh
   Monitor monitor;
 

@@ -33,7 +33,7 @@ Attempt attempt(const Task& task, double bound) {
   if (has_area(after)) {
     const auto go_on = [&](double) { return task.goes_on(task.stages.back(), after.triangles.size()); };
     try {
-      tried.excess = measure::excess(task.mesh, after, bound, {}, go_on);
+      tried.excess = measure::excess(task.mesh, after, bound, {task.samples, 0}, go_on);
     } catch (const measure::Cancelled&) {
       throw Cancelled();
     }

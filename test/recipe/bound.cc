@@ -10,11 +10,14 @@ using Catch::Matchers::Contains;
 
 namespace {
 
+constexpr measure::DistanceOptions kSampling{5000, 0};  // enough for small meshes
+
 Recipe bounded(const std::string& spec, const std::string& bound, Target target = {}) {
   Recipe recipe;
   recipe.modules = {parse_spec(spec)};
   recipe.max_distance = parse_length(bound);
   recipe.target = target;
+  recipe.samples = kSampling.samples;
   return recipe;
 }
 
@@ -25,7 +28,7 @@ Target faces(std::size_t n) {
 }
 
 double farthest(const IndexedMesh& before, const Result& result) {
-  return measure::distance(before, result.mesh).two_sided.max;
+  return measure::distance(before, result.mesh, kSampling).two_sided.max;
 }
 
 std::string all_reasons(const Recipe& recipe, const Result& result) {
