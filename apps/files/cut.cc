@@ -8,7 +8,7 @@
 
 #include "files/manifold.hh"
 #include "files/subset.hh"
-#include "measure/UnionFind.hh"
+#include "whittle/surface/UnionFind.hh"
 
 namespace whittle::files {
 namespace {
@@ -41,7 +41,7 @@ struct Fans {
 };
 
 Fans find_fans(const Triangles& triangles, std::size_t vertices, const std::vector<std::uint32_t>& mates) {
-  measure::UnionFind corners(3 * triangles.size());
+  detail::UnionFind corners(3 * triangles.size());
   for (std::uint32_t corner = 0; corner < mates.size(); ++corner) {
     if (mates[corner] == unmated) continue;
     corners.join(corner, measure::next_corner(mates[corner]));

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "measure/UnionFind.hh"
+#include "whittle/surface/UnionFind.hh"
 
 namespace whittle::files {
 namespace {
@@ -37,7 +37,7 @@ void turn(MeshFile& file, std::size_t face) {
 NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<measure::Side>& sides) {
   NonManifold found;
   const Triangles& triangles = mesh.triangles;
-  measure::UnionFind fans(3 * triangles.size());  // corners of one vertex, joined through edges
+  detail::UnionFind fans(3 * triangles.size());  // corners of one vertex, joined through edges
   std::vector<std::uint32_t> fan_count(mesh.points.size(), 0);
   for (const IndexedMesh::Triangle& triangle : triangles)
     for (const std::uint32_t vertex : triangle) ++fan_count[vertex];

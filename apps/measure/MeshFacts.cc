@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
-#include "measure/UnionFind.hh"
 #include "measure/sides.hh"
 #include "measure/triangle.hh"
+#include "whittle/surface/UnionFind.hh"
 
 namespace whittle::measure {
 
@@ -50,9 +50,9 @@ void add_sizes(const IndexedMesh& mesh, MeshFacts& facts) {
 /// Walks over the edges, that is the runs of equal sides, and counts what depends on how faces meet.
 void add_connections(const IndexedMesh& mesh, MeshFacts& facts) {
   const std::vector<Side> sides = sides_by_edge(mesh.triangles, mesh.points.size(), Faces::proper);
-  UnionFind pieces(mesh.triangles.size());    // faces joined through edges
-  UnionFind fans(3 * mesh.triangles.size());  // corners of one vertex joined through edges
-  UnionFind boundary(mesh.points.size());     // vertices joined through boundary edges
+  detail::UnionFind pieces(mesh.triangles.size());    // faces joined through edges
+  detail::UnionFind fans(3 * mesh.triangles.size());  // corners of one vertex joined through edges
+  detail::UnionFind boundary(mesh.points.size());     // vertices joined through boundary edges
   std::vector<std::uint32_t> fan_count(mesh.points.size(), 0);
   std::vector<bool> used(mesh.points.size(), false);
 

@@ -23,9 +23,14 @@ class FaceNotes {
   void set_queued(Corner c) { edges_ |= bit_of(c); }
   void clear_queued(Corner c) { edges_ &= static_cast<std::uint16_t>(~bit_of(c)); }
 
-  /// A line is a feature edge, which planes of its own hold in place. Both half-edges are marked.
-  bool is_line(Corner c) const { return (edges_ >> (3 + (c & 3)) & 1) != 0; }
-  void set_line(Corner c) { edges_ |= static_cast<std::uint16_t>(8u << (c & 3)); }
+  /// A line is an edge that planes of its own hold in place: a feature, a seam, or both. Both half-edges are
+  /// marked.
+  bool is_line(Corner c) const { return (edges_ >> (3 + (c & 3)) & 9) != 0; }
+  bool is_feature(Corner c) const { return (edges_ >> (3 + (c & 3)) & 1) != 0; }
+  void set_feature(Corner c) { edges_ |= static_cast<std::uint16_t>(8u << (c & 3)); }
+  bool is_seam(Corner c) const { return (edges_ >> (6 + (c & 3)) & 1) != 0; }
+  void set_seam(Corner c) { edges_ |= static_cast<std::uint16_t>(64u << (c & 3)); }
+  void clear_seam(Corner c) { edges_ &= static_cast<std::uint16_t>(~(64u << (c & 3))); }
 
   /// Of a face that vanishes: its half-edges are neither queued nor lines any more.
   void clear_edges() { edges_ = 0; }
@@ -33,7 +38,7 @@ class FaceNotes {
  private:
   static std::uint16_t bit_of(Corner c) { return static_cast<std::uint16_t>(1u << (c & 3)); }
 
-  std::uint16_t edges_ = 0;  // three bits for queued half-edges, three for lines
+  std::uint16_t edges_ = 0;  // three bits for queued half-edges, three for features, three for seams
 };
 
 using CornerTable = CornerTableT<FaceNotes>;

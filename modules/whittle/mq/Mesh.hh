@@ -31,31 +31,40 @@ struct Mesh {
   std::vector<SymmetricMatrix> quadrics;
   std::vector<Hold> holds;
   std::vector<float> weights;        ///< factors of costs; empty where all are 1
+  std::vector<std::uint32_t> seams;  ///< how many of its edges are seams; empty unless has_seams
   std::vector<std::uint32_t> input;  ///< its index in the input
 
   Values values;               ///< may be empty
   std::optional<Bound> bound;  ///< on the distance from the input
   float min_cos = -1;          ///< of the flip guard
-  bool all_free = true;        ///< `holds` is kFree everywhere
-  bool has_features = false;   ///< edges that are marked as lines
-  bool has_lines = false;      ///< edges with planes of their own: boundary or features
+  bool all_free = true;        ///< `holds` is kFree everywhere, and there are no seams
+  bool has_features = false;   ///< edges that are marked as features
+  bool has_seams = false;      ///< edges that are marked as seams
+  bool has_lines = false;      ///< edges with planes of their own: boundary, features, seams
+  bool keeps_charts = false;   ///< no chart loses its last face
   double scale = 1;            ///< the input's coordinates: scale times position plus center
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
 
   const Vec& position(Corner c) const { return vertices[table.vertex(c)].position; }
   EIGEN_ALWAYS_INLINE Vec edge(Corner c) const { return position(next(c)) - position(c); }
 
+  /// Whether `v` stays where it is when its edge to `other` collapses. A vertex on a seam moves along the
+  /// seam only, and where the seam meets the boundary along the boundary only.
+  Hold hold(std::uint32_t v, std::uint32_t other) const {
+    if (!has_seams || holds[v] != kFree || seams[v] == 0) return holds[v];
+    return seams[other] == 0 || (table.is_open(v) && !table.is_open(other)) ? kFixed : kFree;
+  }
   /// Both ends have a ring, and not both are fixed.
   bool is_movable(Corner c) const {
     if (all_free) return true;
     const Hold a = holds[table.vertex(c)], b = holds[table.vertex(next(c))];
     return a + b <= kFixed;
   }
-  /// Whether the end of the half-edge survives rather than its start: it is held, or it alone is on the
-  /// boundary.
+  /// Whether the end of the half-edge survives rather than its start: it is held, or it alone is on a seam or
+  /// on the boundary.
   bool keeps_end(Corner c) const {
     const std::uint32_t start = table.vertex(c), end = table.vertex(next(c));
-    return holds[end] == kFixed || (table.is_open(end) && !table.is_open(start));
+    return hold(end, start) == kFixed || (table.is_open(end) && !table.is_open(start));
   }
   void update_part(Corner c) { table.notes(c).part = partition.part_of(table.face(c).vertex); }
 };

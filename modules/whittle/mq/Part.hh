@@ -159,6 +159,7 @@ inline void Part::work(Corner c, const Placement& placement, std::size_t dearest
     enqueue(c, queue_.bucket() + kLater);  // it may become legal by then
   } else {
     refused.refused_by_link += verdict == Verdict::breaks_link;
+    refused.refused_by_seam += verdict == Verdict::breaks_seam;
     refused.refused_by_flip_guard += verdict == Verdict::turns_face;
     refused.refused_by_bound += verdict == Verdict::breaks_bound;
   }

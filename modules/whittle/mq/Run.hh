@@ -22,7 +22,7 @@ namespace whittle::mq {
 /// Plans down to a number of faces or vertices.
 ///
 /// The mesh is cut into parts, as many for any number of threads. In a step each part collapses the edges
-/// below a bucket whose surroundings are all its own; then, alone, `seams_` collapses those across the parts;
+/// below a bucket whose surroundings are all its own; then, alone, `across_` collapses those across the parts;
 /// then the bucket rises. The order within a step makes no difference between parts, so the plan lists it by
 /// cost.
 class Run {
@@ -32,7 +32,7 @@ class Run {
       std::size_t n_threads)
       : crew_(n_threads),
         mesh_(build(mesh, extras, options, crew_)),
-        seams_(mesh_, kNoPart),
+        across_(mesh_, kNoPart),
         n_faces_(mesh.triangles.size()),
         n_vertices_(mesh.points.size()) {
     plan_.stages.push_back(0);
@@ -57,7 +57,7 @@ class Run {
   detail::Crew crew_;
   Mesh mesh_;
   std::vector<Part> parts_;
-  Part seams_;
+  Part across_;
   std::size_t n_faces_, n_vertices_;
   Goal goal_;
   double faces_per_edge_ = 2;  // that vanished in the last step, for each edge that was queued for it
@@ -67,7 +67,7 @@ class Run {
 /// Makes the parts and queues all edges.
 inline void Run::queue_all() {
   const PartNumber n = mesh_.partition.size();
-  if (n < 2) return seams_.queue_all(0, n_faces_);
+  if (n < 2) return across_.queue_all(0, n_faces_);
   for (unsigned i = 1; i <= n; ++i) parts_.emplace_back(mesh_, static_cast<PartNumber>(i));
   crew_.each(n, [&](std::size_t i) {
     parts_[i].queue_all(mesh_.partition.first_face(i + 1), mesh_.partition.first_face(i + 2));
@@ -77,7 +77,7 @@ inline void Run::queue_all() {
 
 inline void Run::gather_strays() {
   for (Part& part : parts_) {
-    for (const auto& stray : part.strays) seams_.push(stray);
+    for (const auto& stray : part.strays) across_.push(stray);
     part.strays.clear();
   }
 }
@@ -97,13 +97,13 @@ inline void Run::append(std::size_t begin, std::size_t end) {
 }
 
 inline std::size_t Run::next_bucket() const {
-  std::size_t least = seams_.queue().next_bucket();
+  std::size_t least = across_.queue().next_bucket();
   for (const Part& part : parts_) least = std::min(least, part.queue().next_bucket());
   return least;
 }
 
 inline std::size_t Run::n_queued(std::size_t bucket) const {
-  std::size_t n = seams_.queue().size(bucket);
+  std::size_t n = across_.queue().size(bucket);
   for (const Part& part : parts_) n += part.queue().size(bucket);
   return n;
 }
@@ -144,16 +144,16 @@ inline void Run::run(std::size_t target_faces, std::size_t target_vertices) {
       crew_.each(parts_.size(), work);
     gather_strays();
     append(begin, end);
-    seams_.work(end, goal_);
-    for (const auto& done : seams_.done) {
+    across_.work(end, goal_);
+    for (const auto& done : across_.done) {
       plan_.collapses.push_back(done.collapse);
       goal_.count(done.collapse);
     }
-    seams_.done.clear();
+    across_.done.clear();
     faces_per_edge_ =
         std::max(0.125, static_cast<double>(remaining - goal_.remaining()) / static_cast<double>(queued));
   }
-  plan_.record = seams_.refused;
+  plan_.record = across_.refused;
   for (const Part& part : parts_) plan_.record += part.refused;
   plan_.record.planned = plan_.collapses.size();
 }

@@ -19,7 +19,10 @@ struct Vertex {
       mark;  ///< when it was last near an edge that was judged; read as a fourth float with the three
 };
 
-constexpr std::uint8_t kHeld = kLocked | kFeature | kSeam;  ///< flags of vertices that stay in place
+/// The flags of vertices that stay in place. A vertex on a seam stays where it is not known how the seam runs.
+inline std::uint8_t held_flags(const SurfaceExtras& extras) {
+  return extras.wedges.empty() ? kLocked | kFeature | kSeam : kLocked | kFeature;
+}
 
 /// Whether a vertex may move. At most one end of an edge that collapses is fixed, and none is untouchable.
 enum Hold : std::uint8_t { kFree, kFixed, kUntouchable };

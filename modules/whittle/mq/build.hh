@@ -18,6 +18,7 @@
 #include "whittle/mq/PackedNormal.hh"
 #include "whittle/mq/SymmetricMatrix.hh"
 #include "whittle/mq/lines.hh"
+#include "whittle/mq/seams.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Rings.hh"
 #include "whittle/surface/Surface.hh"
@@ -29,6 +30,7 @@ namespace whittle::mq {
 struct Options {
   float min_cos;                       ///< of the flip guard
   double feature_angle, max_distance;  ///< as MemorylessQuadric's
+  bool keep_charts = false;            ///< the same
 };
 
 /// The faces, and the vertices without positions.
@@ -82,7 +84,7 @@ inline void add_face(Mesh& mesh, Corner f, SymmetricMatrix quadric) {
   if (face.twin[0] != kNoCorner && face.twin[1] != kNoCorner && face.twin[2] != kNoCorner) return;
   for (Corner c = f; c < f + 3; ++c) {
     if (mesh.table.twin(c) != kNoCorner) continue;
-    const SymmetricMatrix line = line_quadric(mesh.edge(c));
+    const SymmetricMatrix line = line_quadric(mesh, c);
     mesh.quadrics[mesh.table.vertex(c)] += line;
     mesh.quadrics[mesh.table.vertex(next(c))] += line;
   }
@@ -142,11 +144,11 @@ inline void mark_features(Mesh& mesh, double angle) {
     for (Corner c = corner_of(f); c < corner_of(f) + 3; ++c) {
       const Corner d = mesh.table.twin(c);
       if (d == kNoCorner || d < c || !(normal(c).dot(normal(d)) < least)) continue;
-      mesh.table.notes(c).set_line(c);
-      mesh.table.notes(d).set_line(d);
+      mesh.table.notes(c).set_feature(c);
+      mesh.table.notes(d).set_feature(d);
       mesh.has_features = mesh.has_lines = true;
       for (const std::uint32_t v : {mesh.table.vertex(c), mesh.table.vertex(d)})
-        mesh.quadrics[v] += line_quadric(mesh.edge(c));
+        mesh.quadrics[v] += line_quadric(mesh, c);
     }
 }
 
@@ -172,16 +174,18 @@ inline void set_bound(Mesh& mesh, double distance, const std::vector<float>& tol
 template <typename Real>
 inline Mesh build(const IndexedMeshT<Real>& input, const SurfaceExtras& extras, const Options& options,
                   detail::Crew& crew) {
-  MortonOrder order(input, !extras.reference_normals.empty());
+  MortonOrder order(input, !extras.reference_normals.empty() || !extras.wedges.empty());
   const std::vector<std::uint32_t> input_face = std::move(order.face);
   Mesh mesh = connected(std::move(order), crew);
   mesh.min_cos = options.min_cos;
+  mesh.keeps_charts = options.keep_charts;
+  const std::uint8_t held = held_flags(extras);
   mesh.vertices.reserve(mesh.input.size());
   for (std::size_t i = 0; i < mesh.input.size(); ++i) {
     const std::uint32_t v = mesh.input[i];
     const Eigen::Vector3d p = input.points[v].template cast<double>();
     mesh.vertices.push_back({((p - mesh.center) * (1 / mesh.scale)).template cast<float>(), 0});
-    if (mesh.holds[i] == kFree && (extras.flags[v] & kHeld) != 0) mesh.holds[i] = kFixed;
+    if (mesh.holds[i] == kFree && (extras.flags[v] & held) != 0) mesh.holds[i] = kFixed;
     mesh.all_free &= mesh.holds[i] == kFree;
   }
   mesh.quadrics.resize(mesh.vertices.size());
@@ -190,7 +194,8 @@ inline Mesh build(const IndexedMeshT<Real>& input, const SurfaceExtras& extras, 
   sum_quadrics(mesh, crew);
   if (options.feature_angle < 180) mark_features(mesh, options.feature_angle * detail::kPi / 180);
   if (options.max_distance < HUGE_VAL) set_bound(mesh, options.max_distance, extras.tolerance, crew);
-  for (std::size_t f = 0; f < input_face.size(); ++f) {
+  if (!extras.wedges.empty()) mark_seams(mesh, extras.wedges, input_face);
+  for (std::size_t f = 0; f < extras.reference_normals.size(); ++f) {
     const Vec normal = extras.reference_normals[input_face[f]].stableNormalized().template cast<float>();
     mesh.table.notes(corner_of(f)).normal = normal.squaredNorm() > 0 ? PackedNormal(normal) : PackedNormal();
   }

@@ -13,6 +13,7 @@
 #include "whittle/mq/Worker.hh"
 #include "whittle/mq/lines.hh"
 #include "whittle/mq/place.hh"
+#include "whittle/mq/seams.hh"
 #include "whittle/plan/CollapsePlan.hh"
 
 namespace whittle::mq {
@@ -30,9 +31,9 @@ inline Corner fuse(Mesh& mesh, Corner c) {
   CornerTable& table = mesh.table;
   const auto queued = [&](Corner at) { return at != kNoCorner && table.notes(at).is_queued(at); };
   const Corner left = table.twin(next(c)), right = table.twin(previous(c));
-  if (mesh.has_features && (table.notes(c).is_line(next(c)) || table.notes(c).is_line(previous(c))))
+  if (mesh.has_features && (table.notes(c).is_feature(next(c)) || table.notes(c).is_feature(previous(c))))
     for (const Corner at : {left, right})
-      if (at != kNoCorner) table.notes(at).set_line(at);
+      if (at != kNoCorner) table.notes(at).set_feature(at);
   if (queued(left) && queued(right)) table.notes(right).clear_queued(right);
   if (queued(left) || queued(right) || !(queued(next(c)) || queued(previous(c)))) return kNoCorner;
   return left != kNoCorner ? left : right;
@@ -50,7 +51,7 @@ inline void update_ring(Mesh& mesh, Corner c, const Worker& worker, SymmetricMat
   if (mesh.has_lines)
     for (const std::uint32_t v : {mesh.table.vertex(c), mesh.table.vertex(next(c))})
       for_each_line(mesh, v,
-                    [&](Corner half, std::uint32_t w) { mesh.quadrics[w] -= line_quadric(mesh.edge(half)); });
+                    [&](Corner half, std::uint32_t w) { mesh.quadrics[w] -= line_quadric(mesh, half); });
   own +=
       worker.ring.update([&](std::uint32_t v, const SymmetricMatrix& change) { mesh.quadrics[v] += change; });
 }
@@ -109,6 +110,7 @@ inline Collapse collapse(Mesh& mesh, Corner c, const Placement& placement, const
   if (mesh.keeps_end(c))
     std::swap(mesh.input[from], mesh.input[to]);  // the table merges the end into the start
   unqueued = {fuse(mesh, c), d == kNoCorner ? kNoCorner : fuse(mesh, d)};
+  if (mesh.has_seams) fuse_seams(mesh, c);
   table.collapse(c);
   table.notes(c).clear_edges();  // so that a queue can skip it without asking whether its face is dead
   if (d != kNoCorner) table.notes(d).clear_edges();
@@ -117,7 +119,7 @@ inline Collapse collapse(Mesh& mesh, Corner c, const Placement& placement, const
   if (!mesh.weights.empty()) mesh.weights[to] = std::max(mesh.weights[to], mesh.weights[from]);
   if (mesh.has_lines)
     for_each_line(mesh, to, [&](Corner half, std::uint32_t w) {
-      const SymmetricMatrix line = line_quadric(mesh.edge(half));
+      const SymmetricMatrix line = line_quadric(mesh, half);
       mesh.quadrics[w] += line;
       quadric += line;
     });

@@ -1,5 +1,5 @@
 /// \file
-/// Whether an edge may collapse: link condition, flip guard, bound.
+/// Whether an edge may collapse: link condition, seams, flip guard, bound.
 #pragma once
 
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "whittle/mq/Mesh.hh"
 #include "whittle/mq/Worker.hh"
 #include "whittle/mq/place.hh"
+#include "whittle/mq/seams.hh"
 
 namespace whittle::mq {
 
@@ -17,6 +18,7 @@ enum class Verdict {
   elsewhere,     ///< the ring leaves the worker's part
   breaks_link,   ///< the link condition, or a rule of the boundary
   turns_face,    ///< the flip guard
+  breaks_seam,   ///< a seam would move sideways, or a chart vanish that shall not
   breaks_bound,  ///< the largest distance
 };
 
@@ -94,7 +96,8 @@ inline Verdict judge(Mesh& mesh, Corner c, const Placement& placement, Worker& w
     if (!worker.has(tip)) return Verdict::elsewhere;
     if (tip == table.vertex(previous(c))) return Verdict::breaks_link;
   }
-  if ((a_open && !b_open && mesh.holds[b] != kFree) || (b_open && !a_open && mesh.holds[a] != kFree))
+  if (mesh.has_seams && !keeps_seams(mesh, c)) return Verdict::breaks_seam;
+  if ((a_open && !b_open && mesh.hold(b, a) != kFree) || (b_open && !a_open && mesh.hold(a, b) != kFree))
     return Verdict::breaks_link;  // the boundary would leave its place
 
   const std::uint32_t mark = worker.stamp += worker.stride;
@@ -109,6 +112,7 @@ inline Verdict judge(Mesh& mesh, Corner c, const Placement& placement, Worker& w
   };
   if (!survey(mesh, d, c, worker, count)) return Verdict::elsewhere;
   if (common != (interior ? 2u : 1u)) return Verdict::breaks_link;
+  if (mesh.has_seams && closes_slit(mesh, c)) return Verdict::breaks_seam;
   const std::size_t of_a = worker.ring.n_at_start(), of_b = worker.ring.size() - of_a;
   const bool ear = (mesh.keeps_end(c) ? of_a : of_b) == 0;                             // its tip would vanish
   const bool back_to_back = interior && !a_open && !b_open && of_a <= 1 && of_b <= 1;  // two faces would be

@@ -1,5 +1,5 @@
 /// \file
-/// Lines: edges at the boundary and features, which planes of their own hold in place.
+/// Lines: edges at the boundary, features and seams, which planes of their own hold in place.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,25 @@
 
 namespace whittle::mq {
 
-/// The quadric of a line along `e`: nine times the square of the distance from it, whatever the direction.
-inline SymmetricMatrix line_quadric(const Vec& e) {
-  return SymmetricMatrix::identity(9 * e.squaredNorm()) - SymmetricMatrix::outer(e, 9.0f);
+/// How much the square of the distance from a line counts. That of a seam is to bend little, not to hold the shape: on
+/// spheres and terrain in 6 to 3,210 charts 0.4 gives four fifths of the error of shape that 1 does, and the textures
+/// slide no further; with less they do.
+constexpr float kShapeWeight = 9, kSeamWeight = 0.4f;
+
+/// The quadric of the line along a half-edge: the weighted square of the distance from it, whatever the direction.
+inline SymmetricMatrix line_quadric(const Mesh& mesh, Corner c) {
+  const bool is_only_seam =
+      mesh.has_seams && mesh.table.notes(c).is_seam(c) && !mesh.table.notes(c).is_feature(c);
+  const float weight = is_only_seam ? kSeamWeight : kShapeWeight;
+  const Vec e = mesh.edge(c);
+  return SymmetricMatrix::identity(weight * e.squaredNorm()) - SymmetricMatrix::outer(e, weight);
 }
 
-/// Calls `visit(half-edge, neighbour)` for the boundary and feature edges at `v`.
+/// Calls `visit(half-edge, neighbour)` for the boundary edges, features and seams at `v`.
 template <typename Visit>
 inline void for_each_line(const Mesh& mesh, std::uint32_t v, Visit visit) {
   const CornerTable& table = mesh.table;
-  if (!mesh.has_features && !table.is_open(v)) return;
+  if (!mesh.has_features && !table.is_open(v) && !(mesh.has_seams && mesh.seams[v] > 0)) return;
   const Corner first = table.first(v);
   Corner at = first, last = first;
   do {

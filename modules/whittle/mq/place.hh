@@ -64,7 +64,7 @@ inline Placements best_places(const Mesh& mesh, const FourEdges& edges) {
     for (std::size_t i = 0; i < 4; ++i) {
       const std::uint32_t start = edges.start[i], end = edges.end[i];
       const auto k = static_cast<Eigen::Index>(i);
-      const Hold a = mesh.holds[start], b = mesh.holds[end];
+      const Hold a = mesh.hold(start, end), b = mesh.hold(end, start);
       if (a + b != kFree || !(least[k] > 0 && far[k] >= 0))
         placements[i] = safe_place(mesh.vertices[end].position - mesh.vertices[start].position, a, b,
                                    *edges.at_start[i], *edges.at_end[i]);

@@ -21,6 +21,7 @@ class Reasons {
   void add(const PlanRecord& record) {
     add(record.refused_by_flip_guard, " merges refused by the flip guard");
     add(record.refused_by_link, " merges refused by the link condition");
+    add(record.refused_by_seam, " merges refused by seams");
     add(record.refused_by_bound, " merges refused by max_distance");
   }
   std::string or_else(const char* text) const { return text_.empty() ? text : text_; }

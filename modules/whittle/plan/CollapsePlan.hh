@@ -29,13 +29,15 @@ struct PlanRecord {
   std::size_t planned = 0;                ///< clusters in the plan
   std::size_t refused_by_flip_guard = 0;  ///< clusters that would have turned a face over
   std::size_t refused_by_link = 0;        ///< clusters that would have broken the manifold (link condition)
-  std::size_t refused_by_bound = 0;       ///< mq: edges that would have broken the bound on the distance
-  std::size_t fell_back = 0;  ///< clusters planned smaller than wanted because the whole was refused
+  std::size_t refused_by_seam = 0;   ///< mq: edges that would have moved a seam sideways, or lost a chart
+  std::size_t refused_by_bound = 0;  ///< mq: edges that would have broken the bound on the distance
+  std::size_t fell_back = 0;         ///< clusters planned smaller than wanted because the whole was refused
 
   PlanRecord& operator+=(const PlanRecord& other) {
     planned += other.planned;
     refused_by_flip_guard += other.refused_by_flip_guard;
     refused_by_link += other.refused_by_link;
+    refused_by_seam += other.refused_by_seam;
     refused_by_bound += other.refused_by_bound;
     fell_back += other.fell_back;
     return *this;

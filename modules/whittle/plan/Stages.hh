@@ -12,6 +12,7 @@
 #include "whittle/plan/CollapsePlan.hh"
 #include "whittle/plan/TargetCount.hh"
 #include "whittle/plan/execute.hh"
+#include "whittle/plan/merged_wedges.hh"
 #include "whittle/surface/Surface.hh"
 
 namespace whittle {
@@ -86,14 +87,20 @@ const SurfaceT<Real>& StagesT<Real>::surface() {
   std::vector<std::uint32_t> vertex(executed.mesh.points.size());
   for (std::uint32_t v = last.n_vertices(); v-- > 0;)
     if (executed.survives[v]) vertex[executed.vertex_map[v]] = input_vertex(v);
+  SurfaceExtras extras;
+  const auto& wedges = last.extras().wedges;
+  if (!wedges.empty())
+    extras.wedges = merged_wedges({last.mesh().triangles, executed.mesh.triangles, executed.vertex_map,
+                                   executed.face_origin, executed.mesh.points.size()},
+                                  wedges);
   std::vector<std::uint32_t> face(std::move(executed.face_origin));
   if (current_)
     for (std::uint32_t& f : face) f = face_[f];
 
-  constexpr std::uint8_t kUsers = kLocked | kFeature | kSeam;
-  SurfaceExtras extras;
+  // Where there are wedges, they say anew who is on a seam.
+  const std::uint8_t users = wedges.empty() ? kLocked | kFeature | kSeam : kLocked | kFeature;
   for (const std::uint32_t v : vertex) {
-    extras.flags.push_back(input_.flags(v) & kUsers);
+    extras.flags.push_back(input_.flags(v) & users);
     if (!input_.extras().tolerance.empty()) extras.tolerance.push_back(input_.extras().tolerance[v]);
   }
   for (const std::uint32_t f : face) extras.reference_normals.push_back(input_.reference_normal(f));

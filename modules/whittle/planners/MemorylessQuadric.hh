@@ -23,8 +23,10 @@ namespace whittle {
 /// quadrics (Garland and Heckbert 1997). Relative to a vertex its planes pass through the origin, so a
 /// quadric is just a symmetric matrix.
 ///
-/// Vertices that are locked, features or on a seam stay where they are; free ones may merge into them. The
-/// boundary is held by planes of its own; its vertices may merge along it. A tolerance divides the error that
+/// Vertices that are locked or features stay where they are; free ones may merge into them. The boundary is
+/// held by planes of its own; its vertices may merge along it. So are seams, where the extras have wedges: their
+/// vertices merge along them and inner ones into them, and a chart of one face may vanish. Without wedges
+/// vertices with the flag kSeam stay where they are. A tolerance divides the error that
 /// a collapse adds by its square; of both ends the lesser counts. Values in the extras (normals, colours,
 /// texture coordinates) count beside the shape, for the place of a vertex and for the order. Computes in
 /// float on a copy of unit size; the plan is the same for any number of threads.
@@ -38,6 +40,9 @@ struct MemorylessQuadric {
   /// of those from the input: collapses that would exceed it are refused, and others made instead. Points in
   /// between are not checked. A vertex's tolerance is a factor. Model units, not negative; HUGE_VAL: no bound
   double max_distance = HUGE_VAL;
+  /// Whether each chart, what seams and the boundary enclose, keeps a face at least. Otherwise a chart may
+  /// vanish, and its neighbours close over it
+  bool keep_charts = false;
   FlipGuard guard;  ///< against the normal before each collapse; against that of the input no face may turn
                     ///< by 90 degrees
 
@@ -87,11 +92,12 @@ CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<Real>& mesh, con
   if (mesh.triangles.size() > mq::CornerTable::kMostFaces)
     throw InvalidMesh("mq plans on at most " + std::to_string(mq::CornerTable::kMostFaces) + " triangles");
   const float min_cos = static_cast<float>(guard.min_cos);
-  mq::Run run(mesh, extras, {min_cos, feature_angle, max_distance}, n_threads);
+  mq::Run run(mesh, extras, {min_cos, feature_angle, max_distance, keep_charts}, n_threads);
   run.run(target_faces, target_vertices);
   CollapsePlan plan = run.take();
+  const std::uint8_t held = mq::held_flags(extras);
   for (Collapse& collapse : plan.collapses)  // a held vertex keeps its coordinates, unrounded
-    if ((extras.flags[collapse.to] & mq::kHeld) != 0)
+    if ((extras.flags[collapse.to] & held) != 0)
       collapse.target = mesh.points[collapse.to].template cast<double>();
   return plan;
 }

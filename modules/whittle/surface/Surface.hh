@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -13,6 +14,7 @@
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Rings.hh"
 #include "whittle/surface/errors.hh"
+#include "whittle/surface/seams.hh"
 #include "whittle/surface/threads.hh"
 
 namespace whittle {
@@ -61,6 +63,11 @@ struct SurfaceExtras {
   /// has no single value, as on a seam.
   std::vector<float> values = {};
   std::size_t n_values = 0;  ///< for each vertex, at most `kMostValues`
+  /// For each face a number at each of its corners: corners of one vertex have the same number if they have
+  /// the same texture coordinates, or whatever else is not to be torn. An edge of two faces is a *seam* if
+  /// their numbers differ at either of its ends. mq moves vertices along seams; for other planners they have
+  /// kSeam. Empty: no seams.
+  std::vector<std::array<std::uint32_t, 3>> wedges = {};
 };
 
 namespace detail {
@@ -73,11 +80,11 @@ SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
   const std::size_t n_vertices = mesh.points.size(), n_faces = mesh.triangles.size();
   const auto fits = [](std::size_t size, std::size_t wanted) { return size == 0 || size == wanted; };
   if (!fits(extras.flags.size(), n_vertices) || !fits(extras.tolerance.size(), n_vertices) ||
-      !fits(extras.reference_normals.size(), n_faces) || extras.values.size() != extras.n_values * n_vertices)
+      !fits(extras.reference_normals.size(), n_faces) || !fits(extras.wedges.size(), n_faces) ||
+      extras.values.size() != extras.n_values * n_vertices)
     throw InvalidParameter(
-        "flags, tolerances and values must be given for each vertex, or not at all, and reference normals "
-        "for "
-        "each face");
+        "flags, tolerances and values must be given for each vertex, or not at all; reference normals and "
+        "wedges for each face");
   if (extras.n_values > SurfaceExtras::kMostValues)
     throw InvalidParameter("a vertex has more than " + std::to_string(SurfaceExtras::kMostValues) +
                            " values");
@@ -197,6 +204,10 @@ SurfaceT<Real>::SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras, s
         extras_.flags[v] |= kIsolated;
         break;
     }
+  if (extras_.wedges.empty()) return;
+  const std::vector<bool> seams = on_seams(mesh.triangles, extras_.wedges, n_vertices());
+  for (std::uint32_t v = 0; v < n_vertices(); ++v)
+    if (seams[v]) extras_.flags[v] |= kSeam;
 }
 
 }  // namespace whittle

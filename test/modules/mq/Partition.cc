@@ -56,7 +56,7 @@ TEST_CASE("mq's partition of a mesh without vertices has one part with nothing i
 TEST_CASE("a face's notes keep queued half-edges and lines apart") {
   FaceNotes notes;
   notes.set_queued(8 + 1);
-  notes.set_line(8 + 2);
+  notes.set_feature(8 + 2);
   for (Corner i = 0; i < 3; ++i) {
     CHECK(notes.is_queued(8 + i) == (i == 1));
     CHECK(notes.is_line(8 + i) == (i == 2));

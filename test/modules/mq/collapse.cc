@@ -42,8 +42,7 @@ std::vector<SymmetricMatrix> summed(const mq::Mesh& mesh, Values& values) {
       sums[mesh.table.vertex(c)] += quadric;
       const Corner d = mesh.table.twin(c);
       if (d != kNoCorner && !(mesh.table.notes(c).is_line(c) && c < d)) continue;
-      for (const Corner end : {c, mq::next(c)})
-        sums[mesh.table.vertex(end)] += mq::line_quadric(mesh.edge(c));
+      for (const Corner end : {c, mq::next(c)}) sums[mesh.table.vertex(end)] += mq::line_quadric(mesh, c);
     }
   }
   return sums;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace whittle::measure {
+namespace whittle::detail {
 
 /// Disjoint sets over 0..n-1 with path halving. The smaller index is the root: simple, and fast enough on
 /// meshes.
@@ -37,4 +37,4 @@ class UnionFind {
   std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace whittle::measure
+}  // namespace whittle::detail
