@@ -7,36 +7,20 @@
 #include <numeric>
 #include <utility>
 
+#include "attributes/Sampler.hh"
+#include "attributes/SeamTransfer.hh"
 #include "attributes/Stars.hh"
-#include "measure/triangle.hh"
 
 namespace whittle::attributes {
 namespace {
 
 using Triangle = IndexedMesh::Triangle;
 
-/// Shares of a triangle's corners in a point of it.
-std::array<double, 3> shares(const measure::Corners& t, const Eigen::Vector3d& p) {
-  const Eigen::Vector3d normal = t.normal();
-  const double area = normal.squaredNorm();
-  if (!(area > 0)) return {1, 0, 0};
-  const double b = (p - t.a).cross(t.c - t.a).dot(normal) / area;
-  const double c = (t.b - t.a).cross(p - t.a).dot(normal) / area;
-  const double inside_b = std::clamp(b, 0.0, 1.0), inside_c = std::clamp(c, 0.0, 1.0 - inside_b);
-  return {1 - inside_b - inside_c, inside_b, inside_c};
-}
-
 /// Carries one attribute over.
 class Transfer {
  public:
   Transfer(const Attribute& in, const Decimation& d, const Stars& stars, const Members& members)
-      : in_(in), d_(d), stars_(stars), members_(members) {
-    out_.kind = in.kind;
-    out_.name = in.name;
-    out_.components = in.components;
-    out_.bytes = in.bytes;
-    out_.downwards = in.downwards;
-  }
+      : in_(in), d_(d), stars_(stars), members_(members), sampler_(in, d.before) {}
 
   Attribute run() {
     if (in_.per_vertex()) {
@@ -45,7 +29,7 @@ class Transfer {
       begin_corners();
       for (std::uint32_t w = 0; w < d_.after.points.size(); ++w) carry_corners(w);
     }
-    return std::move(out_);
+    return sampler_.take(std::move(corners_));
   }
 
  private:
@@ -55,19 +39,15 @@ class Transfer {
     return last - first == 1 && d_.before.points[*first] == d_.after.points[w] ? first : nullptr;
   }
 
-  void copy(std::uint32_t value) {
-    out_.values.insert(out_.values.end(), in_.value(value), in_.value(value) + in_.components);
-  }
-
   void carry_vertex(std::uint32_t w) {
-    if (const std::uint32_t* v = unchanged(w)) return copy(*v);
+    if (const std::uint32_t* v = unchanged(w)) return sampler_.copy(*v);
     faces_ = stars_.around(members_.of(w));
-    if (faces_.empty()) return copy(*members_.of(w).first);
-    interpolate(d_.after.points[w], faces_);
+    if (faces_.empty()) return sampler_.copy(*members_.of(w).first);
+    sampler_.interpolate(d_.after.points[w], faces_);
   }
 
   void begin_corners() {
-    out_.corners.resize(d_.after.triangles.size());
+    corners_.resize(d_.after.triangles.size());
     after_ = Stars(d_.after);
   }
 
@@ -82,7 +62,7 @@ class Transfer {
       const Triangle& t = d_.after.triangles[g];
       const std::uint32_t value = same ? kept(*same, d_.face_origin[g]) : merged(w, d_.face_origin[g]);
       for (std::size_t k = 0; k < 3; ++k)
-        if (t[k] == w) out_.corners[g][k] = value;
+        if (t[k] == w) corners_[g][k] = value;
     }
   }
 
@@ -91,8 +71,8 @@ class Transfer {
     const Triangle& t = d_.before.triangles[origin];
     const std::uint32_t value =
         in_.corners[origin][static_cast<std::size_t>(std::find(t.begin(), t.end(), v) - t.begin())];
-    const auto [found, is_new] = known_.emplace(value, static_cast<std::uint32_t>(out_.n_values()));
-    if (is_new) copy(value);
+    const auto [found, is_new] = known_.emplace(value, sampler_.n_values());
+    if (is_new) sampler_.copy(value);
     return found->second;
   }
 
@@ -100,12 +80,12 @@ class Transfer {
   std::uint32_t merged(std::uint32_t w, std::uint32_t origin) {
     const auto place = std::lower_bound(faces_.begin(), faces_.end(), origin) - faces_.begin();
     const std::uint32_t patch = root(static_cast<std::uint32_t>(place));
-    const auto [found, is_new] = known_.emplace(patch, static_cast<std::uint32_t>(out_.n_values()));
+    const auto [found, is_new] = known_.emplace(patch, sampler_.n_values());
     if (is_new) {
       patch_.clear();
       for (std::uint32_t i = 0; i < faces_.size(); ++i)
         if (root(i) == patch) patch_.push_back(faces_[i]);
-      interpolate(d_.after.points[w], patch_);
+      sampler_.interpolate(d_.after.points[w], patch_);
     }
     return found->second;
   }
@@ -140,45 +120,51 @@ class Transfer {
     }
   }
 
-  /// Adds the value at the point of these faces that is nearest to `p`.
-  void interpolate(const Eigen::Vector3d& p, const std::vector<std::uint32_t>& faces) {
-    double least = HUGE_VAL;
-    std::uint32_t nearest = faces.front();
-    Eigen::Vector3d at = p;
-    for (const std::uint32_t f : faces) {
-      const Eigen::Vector3d q =
-          measure::closest_point(p, measure::corners(d_.before, d_.before.triangles[f]));
-      const double distance = (q - p).squaredNorm();
-      if (!(distance < least)) continue;
-      least = distance;
-      nearest = f;
-      at = q;
-    }
-    const auto share = shares(measure::corners(d_.before, d_.before.triangles[nearest]), at);
-    std::array<double, 4> sum{};
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t i = 0; i < in_.components; ++i)
-        sum[i] += share[k] * static_cast<double>(in_.value(in_.at(d_.before, nearest, k))[i]);
-    if (in_.kind == Kind::normal) {
-      const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-      if (!(length > 0)) return copy(in_.at(d_.before, nearest, 0));
-      for (double& x : sum) x /= length;
-    }
-    for (std::size_t i = 0; i < in_.components; ++i) out_.values.push_back(static_cast<float>(sum[i]));
-  }
-
   const Attribute& in_;
   const Decimation& d_;
   const Stars& stars_;
   const Members& members_;
+  Sampler sampler_;
   Stars after_;
-  Attribute out_;
+  std::vector<Triangle> corners_;
   std::vector<std::uint32_t> faces_;     // around the vertices that became the current one, ascending
   std::vector<std::uint32_t> patch_of_;  // union-find over them
   std::vector<std::uint32_t> patch_;
   std::vector<std::pair<std::array<std::uint32_t, 4>, std::uint32_t>> edges_;
   std::map<std::uint32_t, std::uint32_t> known_;  // new values at the current vertex, by old value or patch
 };
+
+/// Whether moving a vertex across its borders would tear it.
+bool makes_seams(const Attribute& attribute) {
+  return attribute.kind == Kind::texture && !attribute.per_vertex();
+}
+
+/// With one number for values that are equal.
+Attribute with_distinct_values(const Attribute& in) {
+  std::vector<std::uint32_t> order(in.n_values()), first(in.n_values());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto is_less = [&](std::uint32_t a, std::uint32_t b) {
+    return std::lexicographical_compare(in.value(a), in.value(a) + in.components, in.value(b),
+                                        in.value(b) + in.components);
+  };
+  std::stable_sort(order.begin(), order.end(), is_less);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && !is_less(order[i - 1], order[i]) ? first[order[i - 1]] : order[i];
+  Attribute out = in;
+  for (Triangle& corners : out.corners)
+    for (std::uint32_t& value : corners) value = first[value];
+  return out;
+}
+
+/// Numbers the pairs of two numbers at each corner.
+void combine(std::vector<Triangle>& numbers, const std::vector<Triangle>& others) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
+  for (std::size_t f = 0; f < numbers.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      numbers[f][k] =
+          known.emplace(std::pair(numbers[f][k], others[f][k]), static_cast<std::uint32_t>(known.size()))
+              .first->second;
+}
 
 }  // namespace
 
@@ -188,24 +174,24 @@ Attributes transfer(const Attributes& attributes, const Decimation& decimation) 
   const Stars stars(decimation.before);
   const Members members(decimation.vertex_map, decimation.after.points.size());
   for (const Attribute& attribute : attributes)
-    out.push_back(Transfer(attribute, decimation, stars, members).run());
+    if (makes_seams(attribute))
+      out.push_back(SeamTransfer(with_distinct_values(attribute), decimation).run());
+    else
+      out.push_back(Transfer(attribute, decimation, stars, members).run());
   return out;
 }
 
-std::vector<std::uint8_t> seam_flags(const IndexedMesh& mesh, const Attributes& attributes) {
-  constexpr std::uint32_t kNone = 0xffffffffu;
-  std::vector<std::uint8_t> flags(mesh.points.size(), 0);
+std::vector<Triangle> seam_wedges(const Attributes& attributes) {
+  std::vector<Triangle> out;
   for (const Attribute& attribute : attributes) {
-    if (attribute.kind != Kind::texture || attribute.per_vertex()) continue;
-    std::vector<std::uint32_t> seen(mesh.points.size(), kNone);
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t v = mesh.triangles[f][k], value = attribute.corners[f][k];
-        if (seen[v] == kNone) seen[v] = value;
-        if (seen[v] != value) flags[v] = kSeam;
-      }
+    if (!makes_seams(attribute)) continue;
+    std::vector<Triangle> corners = with_distinct_values(attribute).corners;
+    if (out.empty())
+      out = std::move(corners);
+    else
+      combine(out, corners);
   }
-  return flags;
+  return out;
 }
 
 std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attributes& attributes) {

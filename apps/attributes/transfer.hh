@@ -7,7 +7,6 @@
 
 #include "attributes/Attribute.hh"
 #include "whittle/surface/IndexedMesh.hh"
-#include "whittle/surface/Surface.hh"
 
 namespace whittle::attributes {
 
@@ -23,14 +22,16 @@ struct Decimation {
 ///
 /// A vertex that stands where it stood, and that nothing merged into, keeps its values. Any other gets the
 /// values at the point nearest to it on the faces around the vertices that became it, interpolated linearly;
-/// normals keep their length of one. On a seam that happens on each side for itself: a face of the result
-/// looks at those faces that hang together with the one it was, without crossing the seam.
+/// normals keep their length of one. Where corners differ that happens on each side for itself: a face of the result
+/// looks at those faces that hang together with the one it was, without crossing a border. Texture coordinates on
+/// a seam take the value at the nearest point of the border, the same one on both sides.
 /// \pre the attributes fit the mesh before.
 Attributes transfer(const Attributes& attributes, const Decimation& decimation);
 
-/// For each vertex kSeam where its corners disagree about a texture coordinate, else 0. Normals and colours
-/// may have sharp edges, but moving those tears nothing apart.
-std::vector<std::uint8_t> seam_flags(const IndexedMesh& mesh, const Attributes& attributes);
+/// For each corner a number that tells texture coordinates apart by their values, of all sets together: wedges as
+/// SurfaceExtras has them. Empty where there are none at corners. Normals and colours may have sharp edges, but
+/// moving those tears nothing apart.
+std::vector<IndexedMesh::Triangle> seam_wedges(const Attributes& attributes);
 
 /// For each corner a number that tells apart the sets of values that the corners of a vertex have: two
 /// corners of one vertex have the same number where all attributes agree. Empty where no attribute is of

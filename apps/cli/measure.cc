@@ -1,11 +1,41 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
+#include "attributes/TextureError.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle::cli {
 namespace {
+
+const attributes::Attribute* texture_of(const files::MeshFile& file) {
+  const auto found = std::find_if(file.attributes.begin(), file.attributes.end(),
+                                  [](const auto& a) { return a.kind == attributes::Kind::texture; });
+  return found == file.attributes.end() ? nullptr : &*found;
+}
+
+/// How far the first texture coordinates have slid; nothing where a file has none, or those of the original no area.
+std::optional<attributes::TextureError> slid(const files::MeshFile& original,
+                                             const files::MeshFile& simplified,
+                                             const attributes::TextureErrorOptions& options) {
+  const auto *before = texture_of(original), *after = texture_of(simplified);
+  if (!before || !after) return std::nullopt;
+  try {
+    return attributes::texture_error(original.mesh, *before, simplified.mesh, *after, options);
+  } catch (const InvalidMesh&) {
+    complain(
+        "the texture coordinates of the original enclose no area; how far they have slid is not measured");
+    return std::nullopt;
+  }
+}
+
+void print(const attributes::TextureError& e, double texels) {
+  std::printf("%-22s %14s %14s   of a texture of %s across; %zu of %zu charts left\n", "texture, RMS and max",
+              figure(e.rms).c_str(), figure(e.max).c_str(), figure(texels).c_str(), e.charts_left, e.charts);
+}
 
 void print(const measure::MeshFacts& a, const measure::MeshFacts& b, const measure::Distance& d) {
   std::printf("%-22s %14s %14s\n", "", "original", "simplified");
@@ -42,6 +72,7 @@ Command add_measure(CLI::App& app) {
   struct Options {
     std::string original, simplified, json;
     std::size_t samples = measure::DistanceOptions().samples;
+    double texels = attributes::TextureErrorOptions().texels;
     bool quiet = false;
   };
   const auto options = std::make_shared<Options>();
@@ -50,6 +81,9 @@ Command add_measure(CLI::App& app) {
   command->add_option("SIMPLIFIED", options->simplified, "The mesh after")->required();
   command->add_option("--samples", options->samples, "Sample points on each surface, besides the vertices")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
+      ->capture_default_str();
+  command->add_option("--texels", options->texels, "Size of the texture that its figures are in")
+      ->check(CLI::Range(1.0, 1e6))
       ->capture_default_str();
   command->add_option("--json", options->json, "Write the figures as JSON to a file, or to stdout for -");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
@@ -66,11 +100,18 @@ Command add_measure(CLI::App& app) {
     sampling.samples = options->samples;
     const measure::Distance distance = measure::distance(original.mesh, simplified.mesh, sampling);
     const measure::MeshFacts before = measure::facts(original.mesh), after = measure::facts(simplified.mesh);
+    attributes::TextureErrorOptions on_texture;
+    on_texture.samples = options->samples;
+    on_texture.texels = options->texels;
+    const auto texture = slid(original, simplified, on_texture);
     write_json(options->json, {{"command", "measure"},
                                {"original", {{"file", options->original}, {"mesh", to_json(before)}}},
                                {"simplified", {{"file", options->simplified}, {"mesh", to_json(after)}}},
-                               {"distance", to_json(distance)}});
-    if (!options->quiet && options->json != "-") print(before, after, distance);
+                               {"distance", to_json(distance)},
+                               {"texture", texture ? to_json(*texture, options->texels) : Json(nullptr)}});
+    if (options->quiet || options->json == "-") return 0;
+    print(before, after, distance);
+    if (texture) print(*texture, options->texels);
     return 0;
   };
 }

@@ -68,6 +68,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
             {"reduced", written.reduced}}},
           {"locks", options.locks},
           {"vertices_locked", result.held},
+          {"charts", {{"before", result.charts}, {"gone", result.charts_gone}}},
           {"weights", options.weights.empty() ? Json(nullptr) : Json(options.weights)},
           {"stages", stages},
           {"delaunay", delaunay_json(options, result)},
@@ -88,6 +89,8 @@ void print(const Options& options, const files::MeshFile& in, const recipe::Resu
               options.out.c_str(), result.mesh.triangles.size(), in.mesh.triangles.size(),
               before > 0 ? 100 * (1 - after / before) : 0, result.mesh.points.size(), result.flipped_faces,
               seconds * 1e3);
+  if (result.charts_gone > 0)
+    std::printf("  %zu of %zu charts of the texture have vanished\n", result.charts_gone, result.charts);
   if (result.distance) std::printf("  distance to the input: %s\n", figure(*result.distance).c_str());
   if (!options.verbose) return;
   for (const auto& stage : result.stages) {
@@ -95,8 +98,10 @@ void print(const Options& options, const files::MeshFile& in, const recipe::Resu
                 stage.module.c_str(), stage.faces_before, stage.faces_after,
                 recipe::to_string(stage.driver).c_str(), stage.passes, stage.plan_seconds * 1e3,
                 stage.execute_seconds * 1e3);
-    std::printf("    refused: %zu by the flip guard, %zu by the link condition, %zu by the driver\n",
-                stage.record.refused_by_flip_guard, stage.record.refused_by_link, stage.refused_by_decimater);
+    std::printf(
+        "    refused: %zu by the flip guard, %zu by the link condition, %zu by seams, %zu by the driver\n",
+        stage.record.refused_by_flip_guard, stage.record.refused_by_link, stage.record.refused_by_seam,
+        stage.refused_by_decimater);
   }
   if (result.held > 0) std::printf("  %zu vertices locked\n", result.held);
   if (result.held_by_bound > 0)

@@ -52,6 +52,11 @@ Json to_json(const measure::Distance& d) {
           {"flipped_faces_against_nearest", d.flipped_faces}};
 }
 
+Json to_json(const attributes::TextureError& e, double texels) {
+  return {{"rms_texels", e.rms},  {"max_texels", e.max}, {"texels_across", texels},
+          {"samples", e.samples}, {"charts", e.charts},  {"charts_left", e.charts_left}};
+}
+
 Json to_json(const recipe::StageResult& s) {
   return {{"module", s.module},
           {"driver", recipe::to_string(s.driver)},
@@ -62,6 +67,7 @@ Json to_json(const recipe::StageResult& s) {
           {"clusters_planned", s.record.planned},
           {"clusters_refused_by_flip_guard", s.record.refused_by_flip_guard},
           {"clusters_refused_by_link_condition", s.record.refused_by_link},
+          {"clusters_refused_by_seams", s.record.refused_by_seam},
           {"clusters_fallen_back", s.record.fell_back},
           {"collapses_refused_by_driver", s.refused_by_decimater},
           {"plan_ms", s.plan_seconds * 1e3},

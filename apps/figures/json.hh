@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "attributes/TextureError.hh"
 #include "files/MeshFile.hh"
 #include "measure/Distance.hh"
 #include "measure/MeshFacts.hh"
@@ -15,6 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const measure::MeshFacts& facts);
 Json to_json(const measure::Distance& distance);
+Json to_json(const attributes::TextureError& error, double texels);
 Json to_json(const recipe::StageResult& stage);
 Json to_json(const files::ReadReport& report);
 

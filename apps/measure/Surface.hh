@@ -23,6 +23,9 @@ class Surface {
   std::size_t size() const { return faces_.size(); }
   Corners face(std::size_t i) const { return corners(mesh_, mesh_.triangles[faces_[i]]); }
 
+  /// Which face of the mesh face i is.
+  std::uint32_t index(std::size_t i) const { return faces_[i]; }
+
   /// The vertices of face i.
   const IndexedMesh::Triangle& triangle(std::size_t i) const { return mesh_.triangles[faces_[i]]; }
 

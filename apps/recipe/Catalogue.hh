@@ -72,6 +72,7 @@ struct Module {
   std::string threshold = {};
   bool ends_by_itself = false;   ///< goes a sensible way without threshold, target or bound
   bool cheapest_first = false;   ///< without a threshold, collapses in the order of the error it causes
+  bool moves_seams = false;      ///< vertices merge along seams of texture; others leave them where they are
   bool plans_to_target = false;  ///< the planner knows the target, and tells nothing before it has planned
   /// The key of a bound on the distance to the input that the planner keeps by itself; empty: none.
   std::string bound = {};

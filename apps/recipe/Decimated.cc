@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "whittle/plan/merged_wedges.hh"
+
 namespace whittle::recipe {
 
 Decimated Decimated::unchanged(const IndexedMesh& mesh) {
@@ -25,7 +27,15 @@ void Decimated::then(Decimated&& next) {
   refused_faces += next.refused_faces;
 }
 
-SurfaceExtras carried(const SurfaceExtras& extras, const Decimated& decimated) {
+void flag_seams(const IndexedMesh& mesh, SurfaceExtras& extras) {
+  extras.flags.resize(mesh.points.size(), 0);
+  if (extras.wedges.empty()) return;
+  const std::vector<bool> seams = on_seams(mesh.triangles, extras.wedges, mesh.points.size());
+  for (std::size_t v = 0; v < seams.size(); ++v)
+    if (seams[v]) extras.flags[v] |= kSeam;
+}
+
+SurfaceExtras carried(const SurfaceExtras& extras, const IndexedMesh& before, const Decimated& decimated) {
   SurfaceExtras out;
   const std::size_t n = decimated.mesh.points.size();
   if (!extras.flags.empty()) out.flags.resize(n, 0);
@@ -35,6 +45,12 @@ SurfaceExtras carried(const SurfaceExtras& extras, const Decimated& decimated) {
     if (!extras.flags.empty()) out.flags[w] |= extras.flags[v];
     if (!extras.tolerance.empty()) out.tolerance[w] = std::min(out.tolerance[w], extras.tolerance[v]);
   }
+  if (extras.wedges.empty()) return out;
+  out.wedges = merged_wedges(
+      {before.triangles, decimated.mesh.triangles, decimated.vertex_map, decimated.face_origin, n},
+      extras.wedges);
+  for (std::uint8_t& flags : out.flags) flags &= static_cast<std::uint8_t>(~kSeam);
+  flag_seams(decimated.mesh, out);
   return out;
 }
 

@@ -24,8 +24,12 @@ struct Decimated {
   void then(Decimated&& next);
 };
 
-/// What is known of the vertices after a decimation: a vertex that others merged into has the flags of all of
-/// them and the least of their tolerances.
-SurfaceExtras carried(const SurfaceExtras& extras, const Decimated& decimated);
+/// Adds kSeam to the flags of the vertices that the wedges put on a seam; makes room for all flags.
+void flag_seams(const IndexedMesh& mesh, SurfaceExtras& extras);
+
+/// What is known of a mesh after a decimation: a vertex that others merged into has the flags of all of them and the
+/// least of their tolerances; where there are wedges, kSeam if it is on a seam now.
+/// \param before  the mesh that `decimated` came of
+SurfaceExtras carried(const SurfaceExtras& extras, const IndexedMesh& before, const Decimated& decimated);
 
 }  // namespace whittle::recipe

@@ -12,6 +12,7 @@
 #include "recipe/Stage.hh"
 #include "recipe/flips.hh"
 #include "recipe/openmesh.hh"
+#include "whittle/surface/charts.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle::recipe {
@@ -48,18 +49,35 @@ SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& s
     add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), module, weights,
                extras);
   if (!givens.attributes) return extras;
-  const auto seams = attributes::seam_flags(mesh, *givens.attributes);
-  extras.flags.resize(mesh.points.size(), 0);
-  for (std::size_t v = 0; v < seams.size(); ++v) extras.flags[v] |= seams[v];
+  extras.wedges = attributes::seam_wedges(*givens.attributes);
+  flag_seams(mesh, extras);
   return extras;
 }
 
-std::size_t count_held(const SurfaceExtras& extras) {
+bool all_move_seams(const std::vector<Stage>& stages) {
+  return std::all_of(stages.begin(), stages.end(),
+                     [](const Stage& stage) { return find_module(stage.module.name).moves_seams; });
+}
+
+std::size_t count_held(const Task& task) {
+  const SurfaceExtras& extras = task.extras;
+  const unsigned holds = all_move_seams(task.stages) ? kLocked | kFeature : kLocked | kFeature | kSeam;
   std::size_t held = 0;
   for (std::size_t v = 0; v < std::max(extras.flags.size(), extras.tolerance.size()); ++v)
-    held += (v < extras.flags.size() && extras.flags[v] != 0) ||
+    held += (v < extras.flags.size() && (extras.flags[v] & holds) != 0) ||
             (v < extras.tolerance.size() && extras.tolerance[v] == 0);
   return held;
+}
+
+void count_charts(const Task& task, Result& result) {
+  const std::vector<std::uint8_t>& flags = task.extras.flags;
+  const bool has_seams =
+      !task.extras.wedges.empty() &&
+      std::any_of(flags.begin(), flags.end(), [](std::uint8_t flag) { return (flag & kSeam) != 0; });
+  if (!has_seams) return;
+  const Charts before = charts(task.mesh.triangles, task.extras.wedges);
+  result.charts = before.count;
+  result.charts_gone = count_vanished(before, result.face_origin);
 }
 
 TargetCount count_of(const Target& target, const IndexedMesh& mesh) {
@@ -185,7 +203,8 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor
   std::optional<double> bound;
   if (recipe.max_distance) bound = recipe.max_distance->in(task.scale);
   Result result = bound ? run_bounded(task, *bound) : run_stages(task);
-  result.held = count_held(task.extras);
+  result.held = count_held(task);
+  count_charts(task, result);
   result.flipped_faces = count_flips(mesh, result.mesh, result.face_origin);
   if (givens.attributes)
     result.attributes =

@@ -86,6 +86,8 @@ struct Result : Decimated {
   bool bound_held = true;          ///< false: faces that OpenMesh could not take are missing, and lie too far
   std::size_t held_by_bound = 0;   ///< input vertices that were kept in place for the bound's sake
   std::size_t held = 0;            ///< input vertices that the givens keep in place
+  std::size_t charts = 0;          ///< of the input's texture coordinates; 0 where there are no seams
+  std::size_t charts_gone = 0;     ///< of those, how many have no face left
   bool stopped_by_bound = false;   ///< going on would have broken the bound
   bool retriangulation_dropped = false;  ///< it would have broken the bound
   DelaunayFlipsReport delaunay;          ///< of the retriangulation, if there was one
@@ -96,9 +98,10 @@ struct Result : Decimated {
 
 /// What a run respects besides the recipe; every part may be empty.
 struct Givens {
-  std::vector<std::uint8_t> flags;  ///< for each vertex: kLocked, kFeature or kSeam keep it in place
+  std::vector<std::uint8_t> flags;  ///< for each vertex: kLocked or kFeature keep it in place
   std::vector<float> tolerance;     ///< for each vertex a factor of the thresholds, see SurfaceExtras
-  const attributes::Attributes* attributes = nullptr;  ///< to be carried over; seams of texture stay in place
+  /// To be carried over. Seams of texture coordinates move in modules that can move them, and stay in others
+  const attributes::Attributes* attributes = nullptr;
 };
 
 /// The sizes that the relative lengths of a recipe refer to. Each edge counts once in the mean.

@@ -63,11 +63,11 @@ StockDecimater::Weights add_weights(const SurfaceExtras& extras, Mesh& mesh) {
   return weight;
 }
 
-/// Locks what must stay where it is.
-void hold(const SurfaceExtras& extras, Mesh& mesh) {
+/// Locks what must stay where it is. \param held  the flags of such vertices
+void hold(const SurfaceExtras& extras, unsigned held, Mesh& mesh) {
   for (const auto v : mesh.vertices()) {
     const auto i = static_cast<std::size_t>(v.idx());
-    const bool is_held = (!extras.flags.empty() && extras.flags[i] != 0) ||
+    const bool is_held = (!extras.flags.empty() && (extras.flags[i] & held) != 0) ||
                          (!extras.tolerance.empty() && extras.tolerance[i] == 0);
     if (is_held) mesh.status(v).set_locked(true);
   }
@@ -131,7 +131,8 @@ Decimated drive(const Task& task, const Stage& stage, const IndexedMesh& in, con
                 const CollapsePlan* plan, StageResult& report) {
   const Silence silence;
   OpenMeshCopy copy(in);
-  hold(extras, copy.mesh);
+  const bool seams_move = plan && find_module(stage.module.name).moves_seams;
+  hold(extras, seams_move ? kLocked | kFeature : kLocked | kFeature | kSeam, copy.mesh);
 
   Decimater decimater(copy.mesh);
   StockDecimater modules(decimater, plan ? StockDecimater::Weights() : add_weights(extras, copy.mesh));

@@ -225,6 +225,7 @@ Planner make_memoryless_quadric(const Spec& spec, const Scale& scale, const Targ
   planner.target_vertices = target.vertices;
   planner.feature_angle = spec.number("feature").value_or(planner.feature_angle);
   planner.max_distance = spec.length("max-distance", scale).value_or(planner.max_distance);
+  planner.keep_charts = spec.word("charts") == "keep";
   read_guard(spec, planner);
   return Planner(planner);
 }
@@ -239,9 +240,11 @@ Module mq() {
       length_key("texture", "the same of texture coordinates", "0"),
       degrees_key("feature", "sharper edges keep their line", MemorylessQuadric().feature_angle),
       length_key("max-distance", "how far a vertex of the input may come to lie from the faces", "no bound"),
+      choice_key("charts", {"vanish", "keep"}, "keep: no chart of the texture loses its last face"),
       guard_key(MemorylessQuadric().guard.min_cos),
       passes_key()};
   module.cheapest_first = true;
+  module.moves_seams = true;
   module.plans_to_target = true;
   module.bound = "max-distance";
   module.make_planner = make_memoryless_quadric;

@@ -16,6 +16,8 @@ std::vector<std::string> reasons(const Recipe& recipe, const Result& result) {
     why.push_back("the flip guard refused " + std::to_string(record.refused_by_flip_guard) + " merges");
   if (record.refused_by_link > 0)
     why.push_back("the link condition refused " + std::to_string(record.refused_by_link) + " merges");
+  if (record.refused_by_seam > 0)
+    why.push_back("seams of the texture refused " + std::to_string(record.refused_by_seam) + " merges");
   if (record.refused_by_bound > 0 && !result.stopped_by_bound)
     why.push_back("the module's bound refused " + std::to_string(record.refused_by_bound) + " merges");
   for (const StageResult& stage : result.stages)

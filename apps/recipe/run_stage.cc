@@ -48,7 +48,7 @@ void run_passes(const Task& task, const Stage& stage, Decimated& now, SurfaceExt
     const std::size_t collapses = report.collapses;
     Decimated pass = stage.is_planned() ? planned_pass(task, stage, now.mesh, extras, report)
                                         : run_stock_modules(task, stage, now.mesh, extras, report);
-    extras = carried(extras, pass);
+    extras = carried(extras, now.mesh, pass);
     now.then(std::move(pass));
     if (is_at_once || report.collapses == collapses) break;
   }

@@ -6,6 +6,7 @@
 #include "catch.hh"
 #include "meshes.hh"
 #include "recipe/Recipe.hh"
+#include "whittle/surface/seams.hh"
 
 using namespace whittle;
 using namespace whittle::attributes;
@@ -88,11 +89,11 @@ TEST_CASE("a seam stays where it is, and each side keeps its own coordinates") {
   const IndexedMesh mesh = meshes::flat_grid(20);
   const double at = mesh.points[10].x();
   const Attributes given{torn(mesh, at)};
-  const auto flags = seam_flags(mesh, given);
+  const auto seams = on_seams(mesh.triangles, seam_wedges(given), mesh.points.size());
   std::size_t on_seam = 0;
-  for (std::size_t v = 0; v < flags.size(); ++v) {
-    CHECK((flags[v] == kSeam) == (mesh.points[v].x() == at));
-    on_seam += flags[v] == kSeam;
+  for (std::size_t v = 0; v < seams.size(); ++v) {
+    CHECK(seams[v] == (mesh.points[v].x() == at));
+    on_seam += seams[v];
   }
   CHECK(on_seam == 20);
   for (const bool retriangulate : {false, true}) {

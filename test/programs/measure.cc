@@ -32,6 +32,34 @@ TEST_CASE("measure prints the distance of two parallel squares") {
   CHECK_THAT(table.out, Contains("17.6777"));
 }
 
+TEST_CASE("measure prints how far a texture has slid") {
+  const programs::Folder folder;
+  const IndexedMesh mesh = meshes::flat_grid(2);
+  attributes::Attribute texture{attributes::Kind::texture, "", 2, false, false, {0, 0, 1, 0, 0, 1, 1, 1}, {}};
+  files::write_mesh(folder / "a.obj", mesh, {}, {texture});
+  for (std::size_t i = 0; i < texture.values.size(); i += 2) texture.values[i] += 0.25f;
+  files::write_mesh(folder / "b.obj", mesh, {}, {texture});
+  const auto done = programs::run(
+      WHITTLE_PROGRAM, {"measure", folder / "a.obj", folder / "b.obj", "--texels", "100", "--json", "-"});
+  REQUIRE(done.code == 0);
+  const Json slid = Json::parse(done.out)["texture"];
+  CHECK(slid["rms_texels"].get<double>() == Approx(25));
+  CHECK(slid["max_texels"].get<double>() == Approx(25));
+  CHECK(slid["texels_across"] == 100);
+  CHECK(slid["charts"] == 1);
+  CHECK(slid["charts_left"] == 1);
+  CHECK_THAT(programs::run(WHITTLE_PROGRAM, {"measure", folder / "a.obj", folder / "b.obj"}).out,
+             Contains("texture, RMS and max") && Contains("256"));
+
+  texture.values.assign(8, 0.5f);
+  files::write_mesh(folder / "flat.obj", mesh, {}, {texture});
+  const auto flat =
+      programs::run(WHITTLE_PROGRAM, {"measure", folder / "flat.obj", folder / "b.obj", "--json", "-"});
+  CHECK(flat.code == 0);
+  CHECK(Json::parse(flat.out)["texture"].is_null());
+  CHECK_THAT(flat.err, Contains("no area"));
+}
+
 TEST_CASE("measure refuses what it cannot compare") {
   const programs::Folder folder;
   files::write_mesh(folder / "a.obj", meshes::tetrahedron());

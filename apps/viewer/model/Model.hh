@@ -46,7 +46,7 @@ struct Model {
   std::optional<render::MeshArrays> arrays;
 
   const IndexedMesh& mesh() const { return file.mesh; }
-  /// Attributes are carried over, and seams of texture stay in place, as on the command line.
+  /// Attributes are carried over, and seams of texture move or stay, as on the command line.
   recipe::Givens givens() const { return {{}, {}, &file.attributes}; }
   Eigen::AlignedBox3d box() const { return {inspection.facts.box_min, inspection.facts.box_max}; }
 };

@@ -1,0 +1,352 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "attributes/TextureError.hh"
+#include "attributes/transfer.hh"
+#include "catch.hh"
+#include "charts.hh"
+#include "measure/MeshFacts.hh"
+#include "recipe/Recipe.hh"
+
+using namespace whittle;
+using namespace whittle::attributes;
+
+namespace {
+
+recipe::Recipe mq_down_to(std::size_t faces, const std::string& spec = "mq") {
+  recipe::Recipe recipe;
+  recipe.modules = {recipe::parse_spec(spec)};
+  recipe.target.faces = faces;
+  return recipe;
+}
+
+/// Texture coordinates from `at(face, point)`, a value for each corner.
+template <typename At>
+Attribute textured(const IndexedMesh& mesh, At at) {
+  Attribute out{Kind::texture, "", 2, false, false, {}, {}};
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    auto& corners = out.corners.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = static_cast<std::uint32_t>(out.n_values());
+      const Eigen::Vector2d uv = at(f, mesh.points[mesh.triangles[f][k]]);
+      out.values.push_back(static_cast<float>(uv[0]));
+      out.values.push_back(static_cast<float>(uv[1]));
+    }
+  }
+  return out;
+}
+
+/// x and y, moved to the right by ten times the chart.
+Attribute moved_apart(const IndexedMesh& mesh, const std::vector<std::uint32_t>& chart) {
+  return textured(mesh, [&](std::uint32_t f, const meshes::Point& p) {
+    return Eigen::Vector2d(p.x() + 100 * chart[f], p.y());
+  });
+}
+
+recipe::Result run_with(const IndexedMesh& mesh, const recipe::Recipe& recipe, const Attributes& given) {
+  recipe::Givens givens;
+  givens.attributes = &given;
+  return recipe::run(mesh, recipe, {}, givens);
+}
+
+Eigen::Vector2d uv_at(const Attribute& texture, std::uint32_t value) {
+  return {texture.value(value)[0], texture.value(value)[1]};
+}
+
+/// A box of six sides with n by n quads each, [0, 1] in each direction, and the side of each face.
+IndexedMesh box(std::uint32_t n, std::vector<std::uint32_t>& side_of) {
+  IndexedMesh mesh;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> known;
+  for (std::uint32_t side = 0; side < 6; ++side) {
+    const std::uint32_t axis = side / 2, far = side % 2;
+    const auto at = [&](std::uint32_t i, std::uint32_t j) {
+      std::array<std::uint32_t, 3> p{};
+      p[axis] = far * n;
+      p[(axis + 1) % 3] = far == 1 ? i : j;
+      p[(axis + 2) % 3] = far == 1 ? j : i;
+      const auto [found, is_new] = known.emplace(p, static_cast<std::uint32_t>(mesh.points.size()));
+      if (is_new) mesh.points.emplace_back(double(p[0]) / n, double(p[1]) / n, double(p[2]) / n);
+      return found->second;
+    };
+    for (std::uint32_t j = 0; j < n; ++j)
+      for (std::uint32_t i = 0; i < n; ++i) {
+        mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        side_of.insert(side_of.end(), 2, side);
+      }
+  }
+  return mesh;
+}
+
+Eigen::Vector2d on_box(std::uint32_t side, const meshes::Point& p) {
+  const int axis = static_cast<int>(side / 2);
+  return {(p[(axis + 1) % 3] + side % 3) / 3, (p[(axis + 2) % 3] + side / 3) / 2};
+}
+
+IndexedMesh hills() {
+  return meshes::grid(
+      40, [](std::uint32_t i, std::uint32_t j) { return 2 * std::sin(i * 0.3) * std::cos(j * 0.2); });
+}
+
+}  // namespace
+
+TEST_CASE("a box in six charts comes to twelve faces with its texture as it was") {
+  std::vector<std::uint32_t> side;
+  const IndexedMesh mesh = box(16, side);
+  const Attributes given{
+      textured(mesh, [&](std::uint32_t f, const meshes::Point& p) { return on_box(side[f], p); })};
+  const auto result = run_with(mesh, mq_down_to(12), given);
+  REQUIRE(result.mesh.triangles.size() == 12);
+  CHECK(result.target_reached);
+  CHECK(result.held == 0);
+  CHECK(result.charts == 6);
+  CHECK(result.charts_gone == 0);
+  for (std::size_t f = 0; f < 12; ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& p = result.mesh.points[result.mesh.triangles[f][k]];
+      const Eigen::Vector2d is = uv_at(result.attributes[0], result.attributes[0].corners[f][k]);
+      const meshes::Point corner(std::round(p.x()), std::round(p.y()), std::round(p.z()));
+      CHECK((p - corner).norm() < 1e-4);
+      CHECK((is - on_box(side[result.face_origin[f]], corner)).norm() < 1e-7);
+    }
+}
+
+TEST_CASE("along a seam both sides have the values of one place") {
+  const IndexedMesh mesh = hills();
+  for (const std::size_t size : {60u, 400u}) {
+    const auto chart = meshes::grown_charts(mesh, size, 2);
+    const Attributes given{moved_apart(mesh, chart)};
+    // Where a chart has vanished between two others, these have met nowhere.
+    const auto result = run_with(mesh, mq_down_to(700, "mq:charts=keep"), given);
+    CHECK(result.mesh.triangles.size() <= 700);
+    CHECK(result.charts_gone == 0);
+    const Attribute& out = result.attributes[0];
+    std::map<std::uint32_t, std::map<std::uint32_t, std::set<std::uint32_t>>> at;  // vertex, chart, values
+    for (std::size_t f = 0; f < out.corners.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k)
+        at[result.mesh.triangles[f][k]][chart[result.face_origin[f]]].insert(out.corners[f][k]);
+    std::size_t compared = 0;
+    for (const auto& [v, charts] : at) {
+      if (charts.size() != 2 || charts.begin()->second.size() != 1 || charts.rbegin()->second.size() != 1)
+        continue;
+      const auto place = [&](const auto& entry) {
+        return Eigen::Vector2d(uv_at(out, *entry.second.begin()) - Eigen::Vector2d(100 * entry.first, 0));
+      };
+      CHECK((place(*charts.begin()) - place(*charts.rbegin())).norm() < 1e-3);
+      ++compared;
+    }
+    CHECK(compared > 10);
+  }
+}
+
+TEST_CASE("values stay within their charts, also where charts vanish") {
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(48, 24), 0.003, 1);
+  for (const std::size_t size : {4u, 40u}) {
+    const auto chart = meshes::grown_charts(mesh, size, 5);
+    const Attributes given{moved_apart(mesh, chart)};
+    const auto result = run_with(mesh, mq_down_to(200), given);
+    CHECK(result.mesh.triangles.size() <= 200);
+    CHECK(result.charts_gone > 0);
+    CHECK(measure::facts(result.mesh).boundary_edges == 0);
+    std::map<std::uint32_t, Eigen::AlignedBox2d> range;
+    for (std::size_t f = 0; f < chart.size(); ++f)
+      for (const std::uint32_t value : given[0].corners[f]) range[chart[f]].extend(uv_at(given[0], value));
+    const Attribute& out = result.attributes[0];
+    for (std::size_t f = 0; f < out.corners.size(); ++f)
+      for (const std::uint32_t value : out.corners[f])
+        CHECK(range[chart[result.face_origin[f]]].exteriorDistance(uv_at(out, value)) < 1e-4);
+  }
+}
+
+TEST_CASE("charts that have changed places keep their own values") {
+  const IndexedMesh mesh = meshes::flat_grid(13);
+  const auto chart =
+      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 6 ? 1u : 0u; });
+  const Attributes given{textured(mesh, [&](std::uint32_t f, const meshes::Point& p) {
+    return Eigen::Vector2d(p.x() + (chart[f] == 0 ? 6 : -6), p.y());
+  })};
+  const auto result = run_with(mesh, mq_down_to(12), given);
+  CHECK(result.mesh.triangles.size() <= 12);
+  for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& p = result.mesh.points[result.mesh.triangles[f][k]];
+      const Eigen::Vector2d is = uv_at(result.attributes[0], result.attributes[0].corners[f][k]);
+      CHECK(is[0] == Approx(p.x() + (chart[result.face_origin[f]] == 0 ? 6 : -6)).margin(1e-4));
+      CHECK(is[1] == Approx(p.y()).margin(1e-4));
+    }
+}
+
+TEST_CASE("the two sides of a slit stay apart, and meet at its ends") {
+  const IndexedMesh mesh = meshes::flat_grid(13);  // the slit from (6, 3) to (6, 9) opens to the right
+  const Attributes given{textured(mesh, [&](std::uint32_t f, const meshes::Point& p) {
+    const auto& t = mesh.triangles[f];
+    const double middle = (mesh.points[t[0]].x() + mesh.points[t[1]].x() + mesh.points[t[2]].x()) / 3;
+    const bool opens = p.x() == 6 && p.y() > 3 && p.y() < 9 && middle > 6;
+    return Eigen::Vector2d(p.x() + (opens ? 0.5 : 0), p.y());
+  })};
+  const auto result = run_with(mesh, mq_down_to(20), given);
+  CHECK(result.mesh.triangles.size() <= 20);
+  CHECK(result.charts == 1);
+  std::map<std::uint32_t, std::set<float>> across;  // first components at vertices on the slit
+  for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& p = result.mesh.points[result.mesh.triangles[f][k]];
+      if (std::abs(p.x() - 6) > 1e-4 || p.y() < 2.5 || p.y() > 9.5) continue;
+      across[result.mesh.triangles[f][k]].insert(
+          uv_at(result.attributes[0], result.attributes[0].corners[f][k])[0]);
+    }
+  std::size_t open = 0, ends = 0;
+  for (const auto& [v, values] : across) {
+    const double y = result.mesh.points[v].y();
+    const bool is_end = std::abs(y - 3) < 1e-4 || std::abs(y - 9) < 1e-4;
+    ends += is_end && values.size() == 1;
+    open += !is_end && values.size() == 2;
+  }
+  CHECK(ends == 2);
+  CHECK(open >= 1);
+}
+
+TEST_CASE("values that are equal make no seam, whatever their numbers") {
+  const IndexedMesh mesh = meshes::flat_grid(9);
+  const Attributes given{
+      textured(mesh, [](std::uint32_t, const meshes::Point& p) { return Eigen::Vector2d(p.x(), p.y()); })};
+  const auto wedges = seam_wedges(given);
+  REQUIRE(wedges.size() == mesh.triangles.size());
+  std::map<std::uint32_t, std::set<std::uint32_t>> at;
+  for (std::size_t f = 0; f < wedges.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) at[mesh.triangles[f][k]].insert(wedges[f][k]);
+  for (const auto& [v, numbers] : at) CHECK(numbers.size() == 1);
+  const auto result = run_with(mesh, mq_down_to(2), given);
+  CHECK(result.mesh.triangles.size() == 2);
+  CHECK(result.charts == 0);
+}
+
+TEST_CASE("several sets of texture coordinates have their seams each, and all move") {
+  const IndexedMesh mesh = meshes::flat_grid(13);
+  const auto by_x =
+      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; });
+  const auto by_y =
+      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.y() > 8 ? 1u : 0u; });
+  const Attributes given{moved_apart(mesh, by_x), moved_apart(mesh, by_y)};
+  const auto result = run_with(mesh, mq_down_to(20), given);
+  CHECK(result.mesh.triangles.size() <= 20);
+  CHECK(result.charts == 4);
+  for (std::size_t set = 0; set < 2; ++set)
+    for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Attribute& out = result.attributes[set];
+        const auto& p = result.mesh.points[result.mesh.triangles[f][k]];
+        const auto& chart = set == 0 ? by_x : by_y;
+        const double x = p.x() + 100 * chart[result.face_origin[f]];
+        CHECK((uv_at(out, out.corners[f][k]) - Eigen::Vector2d(x, p.y())).norm() < 1e-4);
+      }
+}
+
+TEST_CASE("mq keeps every chart with charts=keep, and all drivers agree where seams move") {
+  const IndexedMesh mesh = hills();
+  const auto chart = meshes::grown_charts(mesh, 30, 2);
+  const Attributes given{moved_apart(mesh, chart)};
+  const auto kept = run_with(mesh, mq_down_to(500, "mq:charts=keep"), given);
+  CHECK(kept.charts > 100);
+  CHECK(kept.charts_gone == 0);
+  const auto bulk = run_with(mesh, mq_down_to(500), given);
+  CHECK(bulk.charts_gone > 0);
+  for (const auto driver : {recipe::Driver::sweep, recipe::Driver::decimater}) {
+    recipe::Recipe recipe = mq_down_to(500);
+    recipe.driver = driver;
+    const auto result = run_with(mesh, recipe, given);
+    CHECK(meshes::canonical(result.mesh) == meshes::canonical(bulk.mesh));
+    CHECK(result.charts_gone == bulk.charts_gone);
+  }
+}
+
+TEST_CASE("a module that moves no seams leaves them where they are") {
+  const IndexedMesh mesh = meshes::flat_grid(13);
+  const auto chart =
+      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; });
+  const Attributes given{moved_apart(mesh, chart)};
+  for (const std::string first : {"ss:radius=1.2e", "quadric"}) {
+    recipe::Recipe recipe = mq_down_to(60);
+    recipe.modules.insert(recipe.modules.begin(), recipe::parse_spec(first));
+    recipe.modules.pop_back();
+    const auto result = run_with(mesh, recipe, given);
+    CHECK(result.held == 13);
+    for (std::size_t v = 4; v < mesh.points.size(); v += 13)
+      CHECK(result.mesh.points[result.vertex_map[v]] == mesh.points[v]);
+  }
+}
+
+TEST_CASE("after one stage the next moves the seams that are left") {
+  const IndexedMesh mesh = hills();
+  const Attributes given{moved_apart(mesh, meshes::grown_charts(mesh, 100, 2))};
+  recipe::Recipe recipe = mq_down_to(300);
+  recipe.modules.insert(recipe.modules.begin(), recipe::parse_spec("fad:angle=3"));
+  const auto result = run_with(mesh, recipe, given);
+  REQUIRE(result.stages.size() == 2);
+  CHECK(result.stages[0].collapses > 0);
+  CHECK(result.mesh.triangles.size() <= 300);
+}
+
+TEST_CASE("the texture error of a mesh against itself is nothing, and that of a shift is the shift") {
+  const IndexedMesh mesh = meshes::flat_grid(9);
+  const auto chart =
+      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; });
+  const auto place = [&](double shift) {
+    return textured(mesh, [&, shift](std::uint32_t f, const meshes::Point& p) {
+      return Eigen::Vector2d(p.x() / 20 + 0.5 * chart[f] + shift, p.y() / 20);
+    });
+  };
+  TextureErrorOptions options;
+  options.samples = 5000;
+  const TextureError none = texture_error(mesh, place(0), mesh, place(0), options);
+  CHECK(none.rms < 1e-3);
+  CHECK(none.max < 1e-3);
+  CHECK(none.samples == 5000);
+  CHECK(none.charts == 2);
+  CHECK(none.charts_left == 2);
+  const TextureError shifted = texture_error(mesh, place(0), mesh, place(2.0 / 1024), options);
+  CHECK(shifted.rms == Approx(2).epsilon(1e-3));
+  CHECK(shifted.max == Approx(2).epsilon(1e-3));
+  options.texels = 512;
+  CHECK(texture_error(mesh, place(0), mesh, place(2.0 / 1024), options).rms == Approx(1).epsilon(1e-3));
+  options.threads = 3;
+  CHECK(texture_error(mesh, place(0), mesh, place(2.0 / 1024), options).rms ==
+        texture_error(mesh, place(0), mesh, place(2.0 / 1024), options).rms);
+
+  Attribute turned = place(0);
+  turned.downwards = true;
+  for (std::size_t i = 1; i < turned.values.size(); i += 2) turned.values[i] = 1 - turned.values[i];
+  CHECK(texture_error(mesh, place(0), mesh, turned, options).max < 1e-3);
+  options.samples = 0;
+  CHECK_THROWS_AS(texture_error(mesh, place(0), mesh, place(0), options), InvalidParameter);
+}
+
+TEST_CASE("the texture error leaves out charts that are gone") {
+  const IndexedMesh mesh = meshes::flat_grid(9);
+  const auto chart =
+      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; });
+  const Attribute texture = textured(mesh, [&](std::uint32_t f, const meshes::Point& p) {
+    return Eigen::Vector2d(p.x() / 20 + 0.5 * chart[f], p.y() / 20);
+  });
+  IndexedMesh half = mesh;
+  Attribute of_half = texture;
+  half.triangles.clear();
+  of_half.corners.clear();
+  for (std::size_t f = 0; f < chart.size(); ++f) {
+    if (chart[f] == 1) continue;
+    half.triangles.push_back(mesh.triangles[f]);
+    of_half.corners.push_back(texture.corners[f]);
+  }
+  TextureErrorOptions options;
+  options.samples = 4000;
+  const TextureError error = texture_error(mesh, texture, half, of_half, options);
+  CHECK(error.charts_left == 1);
+  CHECK(error.samples == 2000);
+  CHECK(error.max < 1e-3);
+}
