@@ -32,6 +32,9 @@ struct Mesh {
   std::vector<Hold> holds;
   std::vector<float> weights;        ///< factors of costs; empty where all are 1
   std::vector<std::uint32_t> seams;  ///< how many of its edges are seams; empty unless has_seams
+  std::vector<std::uint8_t>
+      on_slit;  ///< whether it, or what has merged into it, is on a seam with one chart on
+                ///< both sides; empty unless has_seams
   std::vector<std::uint32_t> input;  ///< its index in the input
 
   Values values;               ///< may be empty

@@ -9,6 +9,7 @@
 
 #include "whittle/mq/Mesh.hh"
 #include "whittle/mq/lines.hh"
+#include "whittle/surface/UnionFind.hh"
 
 namespace whittle::mq {
 
@@ -21,6 +22,25 @@ inline bool is_inside(const Mesh& mesh, std::uint32_t v) {
 /// becomes shorter closes, and what is apart on its two sides would meet.
 inline bool ends_slit(const Mesh& mesh, std::uint32_t v) {
   return mesh.seams[v] == 1 && is_inside(mesh, v);
+}
+
+/// Notes which vertices are on a slit, a seam with one chart on both of its sides.
+inline void mark_slits(Mesh& mesh) {
+  const CornerTable& table = mesh.table;
+  detail::UnionFind charts(table.n_faces());
+  const auto each_edge = [&](auto visit) {
+    for (Corner f = 0; f < corner_of(table.n_faces()); f += corner_of(1))
+      for (Corner c = f; c < f + 3; ++c)
+        if (table.twin(c) != kNoCorner && c < table.twin(c)) visit(c, table.twin(c));
+  };
+  each_edge([&](Corner c, Corner d) {
+    if (!table.notes(c).is_seam(c)) charts.join(face_of(c), face_of(d));
+  });
+  mesh.on_slit.assign(table.n_vertices(), 0);
+  each_edge([&](Corner c, Corner d) {
+    if (!table.notes(c).is_seam(c) || charts.root(face_of(c)) != charts.root(face_of(d))) return;
+    mesh.on_slit[table.vertex(c)] = mesh.on_slit[table.vertex(d)] = 1;
+  });
 }
 
 /// Marks the edges across which the wedges of the two faces differ at either end.
@@ -45,6 +65,7 @@ inline void mark_seams(Mesh& mesh, const std::vector<std::array<std::uint32_t, 3
     }
   for (std::uint32_t v = 0; v < mesh.seams.size(); ++v)
     if (ends_slit(mesh, v)) mesh.holds[v] = kFixed;
+  if (mesh.has_seams) mark_slits(mesh);
 }
 
 /// Whether the face of `c` is a chart by itself: across each of its edges is a seam or the boundary.
@@ -85,8 +106,8 @@ inline bool closes_slit(const Mesh& mesh, Corner c) {
 /// edges become one: a seam if either was, unless it is at the boundary now.
 ///
 /// A chart of one face is gone with it. Where its tip is on no other seam, one chart surrounds the tip, and
-/// so lies on both sides of the edge: that is no seam any more. An exception is where it would leave a slit
-/// that ends at the survivor, whose sides do not agree there.
+/// so lies on both sides of the edge: that is no seam any more. An exception is on a slit, whose two sides do not
+/// agree at the survivor.
 inline void fuse_seams(Mesh& mesh, Corner c) {
   CornerTable& table = mesh.table;
   const std::uint32_t to = table.vertex(c), from = table.vertex(next(c));
@@ -126,10 +147,12 @@ inline void fuse_seams(Mesh& mesh, Corner c) {
     closes[i] = seams[tip] == 1 && is_inside(mesh, tip);
     n_closing += closes[i];
   }
-  const bool leaves_slit = !is_open && seams[to] == n_closing + 1;
+  const bool on_slit = mesh.on_slit[to] != 0 || mesh.on_slit[from] != 0;
+  const bool leaves_slit = on_slit || (!is_open && seams[to] == n_closing + 1);
   for (std::size_t i = 0; i < 2; ++i)
     if (closes[i] && !leaves_slit) clear(sides[i]);
 
+  mesh.on_slit[to] = static_cast<std::uint8_t>(on_slit);
   if (seams[to] == 1 && !is_open) mesh.holds[to] = kFixed;
   for (const Corner side : sides)
     if (side != kNoCorner && ends_slit(mesh, table.vertex(previous(side))))

@@ -235,6 +235,22 @@ TEST_CASE("mq: between two charts the seam remains when the one that parted them
   CHECK(all_seams(closing) == 4);
 }
 
+TEST_CASE("mq: a slit grows by the chart of one face that vanishes at its end") {
+  const IndexedMesh mesh = meshes::triangle_in_hexagon({-0.5, -0.3, 0}, {0.5, -0.3, 0}, {0, 0.6, 0}, 4);
+  SurfaceExtras extras = with_island(mesh, {0});
+  REQUIRE(mesh.triangles[1] == IndexedMesh::Triangle{0, 3, 4});
+  REQUIRE(mesh.triangles[9] == IndexedMesh::Triangle{2, 3, 0});
+  extras.wedges[1][0] = extras.wedges[9][2] = 100;  // the slit is from 0 to 4 at the boundary
+  mq::Mesh closing = built(mesh, extras);
+  REQUIRE(all_seams(closing) == 4);
+  merge(closing, 0, 1);
+  check_seams(closing);
+  CHECK(all_seams(closing) == 2);
+  CHECK(is_seam(closing, 0, 4));
+  CHECK(is_seam(closing, 0, 2));
+  CHECK(closing.holds[vertex(closing, 2)] == mq::kFixed);
+}
+
 TEST_CASE("mq: the last face of a chart at the boundary vanishes along the boundary") {
   const IndexedMesh grid = meshes::flat_grid(5);
   REQUIRE(grid.triangles[2] == IndexedMesh::Triangle{1, 2, 7});
