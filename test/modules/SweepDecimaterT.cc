@@ -1,6 +1,7 @@
 #include "whittle/SweepDecimaterT.hh"
 
 #include "OpenMeshFixture.hh"
+#include "connectivity.hh"
 #include "whittle/LazyDecimaterT.hh"
 #include "whittle/ModFaceAngleT.hh"
 #include "whittle/ModMemorylessQuadricT.hh"
@@ -114,8 +115,11 @@ TEST_CASE(
   for (const IndexedMesh& in : all)
     for (const std::size_t target : {std::size_t{0}, in.triangles.size() / 2, in.triangles.size() / 10}) {
       Mesh proved = fixture::to_openmesh<Mesh>(in);
-      proved.request_face_normals();
-      proved.update_face_normals();
+      if (target > 0) {  // without, the module is told of the collapses when all are done
+        proved.request_face_normals();
+        proved.request_vertex_normals();
+        proved.update_normals();
+      }
       proved.request_vertex_status();
       proved.request_edge_status();
       proved.request_face_status();
@@ -133,23 +137,13 @@ TEST_CASE(
       const std::size_t collapses = run(proved, nullptr);
       REQUIRE(run(tested, &never) == collapses);
       REQUIRE((in.triangles.size() < 20 || collapses > 0));
-      for (const auto v : tested.all_vertices()) {
-        REQUIRE(proved.status(v).deleted() == tested.status(v).deleted());
-        if (tested.status(v).deleted()) continue;
-        REQUIRE(proved.halfedge_handle(v) == tested.halfedge_handle(v));
+      fixture::require_same_connectivity(proved, tested);
+      for (const auto v : tested.vertices()) {
         REQUIRE(proved.point(v) == tested.point(v));
+        if (tested.has_vertex_normals()) REQUIRE(proved.normal(v) == tested.normal(v));
       }
-      for (const auto f : tested.all_faces()) {
-        REQUIRE(proved.status(f).deleted() == tested.status(f).deleted());
-        if (tested.status(f).deleted()) continue;
-        REQUIRE(proved.halfedge_handle(f) == tested.halfedge_handle(f));
-        REQUIRE(proved.normal(f) == tested.normal(f));
-      }
-      for (const auto h : tested.all_halfedges()) {
-        if (tested.status(tested.edge_handle(h)).deleted()) continue;
-        REQUIRE(proved.to_vertex_handle(h) == tested.to_vertex_handle(h));
-        REQUIRE(proved.next_halfedge_handle(h) == tested.next_halfedge_handle(h));
-      }
+      if (tested.has_face_normals())
+        for (const auto f : tested.faces()) REQUIRE(proved.normal(f) == tested.normal(f));
     }
 }
 

@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "whittle/openmesh/PlannedModule.hh"
+#include "whittle/openmesh/SnapshotT.hh"
 #include "whittle/openmesh/attributes.hh"
-#include "whittle/openmesh/convert.hh"
-#include "whittle/openmesh/describe.hh"
 #include "whittle/openmesh/points_in_space.hh"
 #include "whittle/plan/CollapsePlan.hh"
 #include "whittle/plan/plan_mesh.hh"
@@ -120,31 +119,32 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   /// \throw InvalidParameter  a tolerance is negative or not finite.
   void initialize() override {
     const MeshT& mesh = this->mesh();
-    auto indexed = to_indexed(mesh);
+    detail::SnapshotT<MeshT> snapshot(mesh);
     SurfaceExtras extras;
-    extras.flags = flags_ = detail::user_flags(mesh);
-    const std::size_t n_deleted = hide_deleted(indexed);
+    extras.flags = snapshot.flags();
     if (tolerance_.is_valid()) {
       extras.tolerance.assign(mesh.n_vertices(), 1);
       for (const auto v : mesh.vertices())
         extras.tolerance[static_cast<std::size_t>(v.idx())] = mesh.property(tolerance_, v);
     }
-    describe(mesh, indexed, extras);
+    describe(mesh, snapshot.indexed(), extras);
     const auto enough = [&](const auto& stages) {
-      return stages.n_faces() <= enough_faces_ || stages.n_vertices() <= enough_vertices_ + n_deleted;
+      return stages.n_faces() <= enough_faces_ ||
+             stages.n_vertices() <= enough_vertices_ + snapshot.n_deleted();
     };
     Planner planner = planner_.scaled(this->error_tolerance_factor_);
     if constexpr (detail::takes_target<Planner>::value)
-      if (planner.target_vertices > 0) planner.target_vertices += n_deleted;
-    plan_ = detail::plan_mesh(planner, indexed, std::move(extras), passes_, threads_, enough).plan;
-    rank_.assign(indexed.points.size(), kNotPlanned);
+      if (planner.target_vertices > 0) planner.target_vertices += snapshot.n_deleted();
+    plan_ = detail::plan_mesh(planner, snapshot.indexed(), std::move(extras), passes_, threads_, enough).plan;
+    rank_.assign(mesh.n_vertices(), kNotPlanned);
     for (std::size_t i = 0; i < plan_.collapses.size(); ++i)
       rank_[plan_.collapses[i].from] = static_cast<std::uint32_t>(i);
     executed_.assign(plan_.collapses.size(), false);
-    placed_by_.assign(indexed.points.size(), 0);
+    placed_by_.assign(mesh.n_vertices(), 0);
     attributes_.take_snapshot(mesh);
-    n_planned_vertices_ = indexed.points.size();
-    triangles_ = std::move(indexed.triangles);
+    n_planned_vertices_ = mesh.n_vertices();
+    snapshot.drop_points();
+    snapshot_ = std::move(snapshot);
   }
 
   const CollapsePlan& plan() override {
@@ -179,19 +179,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     }
   }
 
-  bool is_fresh() const override {
-    const MeshT& mesh = mesh_ref();
-    if (n_planned_vertices_ != mesh.n_vertices()) return false;
-    if (mesh.has_vertex_status())
-      for (std::size_t v = 0; v < flags_.size(); ++v) {
-        const auto& status = mesh.status(vertex(static_cast<std::uint32_t>(v)));
-        if ((status.locked() || status.feature()) && (flags_[v] & (kLocked | kFeature)) == 0) return false;
-      }
-    auto triangle = triangles_.begin();
-    const bool same = detail::for_each_triangle(
-        mesh, [&](std::size_t, const auto& t) { return triangle != triangles_.end() && *triangle++ == t; });
-    return same && triangle == triangles_.end();
-  }
+  bool is_fresh() const override { return n_planned_vertices_ != kNoPlan && snapshot_.is_of(mesh_ref()); }
 
   bool watches_collapses() const override { return mesh_ref().has_face_normals() || !attributes_.empty(); }
   void before_collapse(int halfedge) override {
@@ -285,26 +273,6 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     for (auto f = mesh.cvf_iter(v); f.is_valid(); ++f) mesh.set_normal(*f, mesh.calc_face_normal(*f));
   }
 
-  /// Puts deleted vertices, which keep their indices, where a living one is, so that nothing depends on them.
-  /// \return how many there are
-  std::size_t hide_deleted(IndexedMeshT<typename MeshT::Scalar>& indexed) const {
-    const MeshT& mesh = mesh_ref();
-    if (!mesh.has_vertex_status()) return 0;
-    std::size_t n = 0, living = 0;
-    while (living < indexed.points.size() &&
-           mesh.status(vertex(static_cast<std::uint32_t>(living))).deleted())
-      ++living;
-    for (std::size_t v = 0; v < indexed.points.size(); ++v) {
-      if (!mesh.status(vertex(static_cast<std::uint32_t>(v))).deleted()) continue;
-      ++n;
-      if (living < indexed.points.size())
-        indexed.points[v] = indexed.points[living];
-      else
-        indexed.points[v].setZero();
-    }
-    return n;
-  }
-
   const MeshT& mesh_ref() const { return const_cast<ModPlannedT*>(this)->ModBase::mesh(); }
 
   const Collapse* planned(const CollapseInfo& ci) {
@@ -371,10 +339,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   std::size_t enough_faces_ = 0, enough_vertices_ = 0;
   OpenMesh::VPropHandleT<float> tolerance_;
   CollapsePlan plan_;
-  std::vector<std::uint32_t> rank_;  // of the collapse that removes a vertex
-  std::vector<bool> executed_;       // for each collapse of the plan
-  std::vector<std::uint8_t> flags_;  // of each vertex when it was made
-  std::vector<typename IndexedMeshT<typename MeshT::Scalar>::Triangle> triangles_;  // of the mesh then
+  std::vector<std::uint32_t> rank_;    // of the collapse that removes a vertex
+  std::vector<bool> executed_;         // for each collapse of the plan
+  detail::SnapshotT<MeshT> snapshot_;  // of the mesh when the plan was made
   // For each survivor the last rank of the latest cluster that has moved it.
   std::vector<std::uint32_t> placed_by_;
   detail::SurvivorAttributesT<MeshT> attributes_;

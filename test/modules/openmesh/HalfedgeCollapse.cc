@@ -3,6 +3,7 @@
 #include <random>
 
 #include "OpenMeshFixture.hh"
+#include "connectivity.hh"
 
 using namespace whittle;
 using fixture::Mesh;
@@ -18,35 +19,6 @@ struct Legality : OpenMesh::Decimater::BaseDecimaterT<Mesh> {
   Mesh* mesh;
 };
 
-void check_same_connectivity(Mesh& a, Mesh& b) {
-  for (const auto v : a.all_vertices()) {
-    REQUIRE(a.status(v).deleted() == b.status(v).deleted());
-    if (!a.status(v).deleted()) REQUIRE(a.halfedge_handle(v) == b.halfedge_handle(v));
-  }
-  for (const auto f : a.all_faces()) {
-    REQUIRE(a.status(f).deleted() == b.status(f).deleted());
-    if (!a.status(f).deleted()) REQUIRE(a.halfedge_handle(f) == b.halfedge_handle(f));
-  }
-  for (const auto h : a.all_halfedges()) {
-    REQUIRE(a.status(a.edge_handle(h)).deleted() == b.status(b.edge_handle(h)).deleted());
-    REQUIRE(a.status(h).deleted() == b.status(h).deleted());
-    if (a.status(h).deleted()) continue;
-    REQUIRE(a.to_vertex_handle(h) == b.to_vertex_handle(h));
-    REQUIRE(a.next_halfedge_handle(h) == b.next_halfedge_handle(h));
-    REQUIRE(a.prev_halfedge_handle(h) == b.prev_halfedge_handle(h));
-    REQUIRE(a.face_handle(h) == b.face_handle(h));
-  }
-}
-
-Mesh prepared(const meshes::IndexedMesh& in) {
-  Mesh mesh = fixture::to_openmesh<Mesh>(in);
-  mesh.request_vertex_status();
-  mesh.request_edge_status();
-  mesh.request_halfedge_status();
-  mesh.request_face_status();
-  return mesh;
-}
-
 }  // namespace
 
 TEST_CASE("half-edges collapse as OpenMesh collapses them, and just where it finds that legal") {
@@ -54,7 +26,7 @@ TEST_CASE("half-edges collapse as OpenMesh collapses them, and just where it fin
   for (const auto& in : {torus(8, 6), flat_grid(8), strip(7, 1.0), meshes::octahedron(),
                          meshes::tetrahedron(), meshes::lone_triangle(), meshes::cone(5, 1.0)}) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
-      Mesh theirs = prepared(in);
+      Mesh theirs = fixture::with_status(in);
       std::mt19937 random(seed);
       for (const auto v : theirs.vertices()) {
         theirs.status(v).set_locked(seed > 2 && random() % 9 == 0);
@@ -78,14 +50,14 @@ TEST_CASE("half-edges collapse as OpenMesh collapses them, and just where it fin
         const auto h = legal[random() % legal.size()];
         theirs.collapse(h);
         connectivity.collapse(h);
-        check_same_connectivity(theirs, ours);
+        fixture::require_same_connectivity(theirs, ours);
       }
     }
   }
 }
 
 TEST_CASE("vertices that share no edge have no half-edge between them") {
-  Mesh mesh = prepared(meshes::octahedron());
+  Mesh mesh = fixture::with_status(meshes::octahedron());
   const detail::HalfedgeCollapseT<Mesh> connectivity(mesh);
   std::size_t found = 0;
   for (const auto a : mesh.vertices())
