@@ -87,8 +87,8 @@ class Cells {
     size_ = 3 * box.diagonal().norm();
   }
   Eigen::Vector3d offset(std::uint32_t chart) const {
-    return size_ *
-           Eigen::Vector3d(chart % per_side_, chart / per_side_ % per_side_, chart / per_side_ / per_side_);
+    const std::uint32_t row = chart / per_side_, layer = row / per_side_;
+    return size_ * Eigen::Vector3d(chart % per_side_, row % per_side_, layer);
   }
 
  private:

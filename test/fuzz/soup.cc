@@ -1,8 +1,9 @@
 /// \file
 /// A fuzz target: planners and executors on any triangle soup.
 ///
-/// The first bytes choose module, target, driver and retriangulation, the others are points and triangles.
+/// The first bytes choose module, target, driver, retriangulation and texture, the others are points and triangles.
 /// Every guarantee must hold, and with every driver a closed manifold mesh becomes the same.
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -59,14 +60,46 @@ IndexedMesh soup(Bytes& bytes) {
   return mesh;
 }
 
-constexpr recipe::Driver kDrivers[] = {recipe::Driver::bulk, recipe::Driver::sweep, recipe::Driver::lazy,
-                                       recipe::Driver::decimater, recipe::Driver::mc};
+enum class Seams { none, around_each_face, around_some_faces, anywhere };
+
+/// Texture coordinates at the corners, with seams.
+attributes::Attributes textured(const IndexedMesh& mesh, Seams seams) {
+  if (seams == Seams::none || mesh.triangles.empty()) return {};
+  attributes::Attribute out{attributes::Kind::texture, "", 2, false, false, {}, {}};
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    auto& corners = out.corners.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& p = mesh.points[mesh.triangles[f][k]];
+      const std::size_t chart = seams == Seams::around_each_face    ? f
+                                : seams == Seams::around_some_faces ? f / 7
+                                                                    : (5 * f + 3 * k) % 7 / 6;
+      corners[k] = static_cast<std::uint32_t>(out.n_values());
+      out.values.push_back(static_cast<float>(p.x() + 10 * static_cast<double>(chart)));
+      out.values.push_back(static_cast<float>(p.y()));
+    }
+  }
+  return {out};
+}
 
 void require(const std::string& broken) {
   if (broken.empty()) return;
   std::fprintf(stderr, "does not hold: %s\n", broken.c_str());
   std::abort();
 }
+
+/// Every corner of the result has a value, and a finite one.
+void require_values(const recipe::Result& result) {
+  for (const auto& attribute : result.attributes) {
+    if (attribute.corners.size() != result.mesh.triangles.size()) require("a value for each corner");
+    for (const auto& corners : attribute.corners)
+      for (const std::uint32_t value : corners)
+        if (value >= attribute.n_values() || !std::isfinite(attribute.value(value)[0]))
+          require("a finite value at each corner");
+  }
+}
+
+constexpr recipe::Driver kDrivers[] = {recipe::Driver::bulk, recipe::Driver::sweep, recipe::Driver::lazy,
+                                       recipe::Driver::decimater, recipe::Driver::mc};
 
 }  // namespace
 
@@ -85,12 +118,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const IndexedMesh mesh = soup(bytes);
 
   const corpus::Counted before(mesh), taken(corpus::as_openmesh_takes_it(mesh));
-  const recipe::Result result = recipe::run(mesh, recipe);
+  const attributes::Attributes texture = textured(mesh, static_cast<Seams>(choice / 64));
+  recipe::Givens givens;
+  givens.attributes = &texture;
+  const recipe::Result result = recipe::run(mesh, recipe, {}, givens);
   require(corpus::broken(before, taken, recipe, result));
+  require_values(result);
   if (!has_plan && (driver == recipe::Driver::bulk || driver == recipe::Driver::sweep)) return 0;
   recipe.driver = driver;
-  const recipe::Result driven = recipe::run(mesh, recipe);
+  const recipe::Result driven = recipe::run(mesh, recipe, {}, givens);
   require(corpus::broken(before, taken, recipe, driven));
+  require_values(driven);
   // At boundaries OpenMesh refuses a little more, as the tip of an ear; and mc draws.
   const bool does_all = has_plan && driver != recipe::Driver::mc && before.facts.closed() &&
                         before.facts.nonmanifold_vertices == 0 && driven.refused_faces == 0;

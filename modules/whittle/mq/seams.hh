@@ -25,22 +25,17 @@ inline bool ends_slit(const Mesh& mesh, std::uint32_t v) {
 }
 
 /// Notes which vertices are on a slit, a seam with one chart on both of its sides.
-inline void mark_slits(Mesh& mesh) {
+/// \param seams  a half-edge of each seam edge.
+inline void mark_slits(Mesh& mesh, const std::vector<Corner>& seams) {
   const CornerTable& table = mesh.table;
   detail::UnionFind charts(table.n_faces());
-  const auto each_edge = [&](auto visit) {
-    for (Corner f = 0; f < corner_of(table.n_faces()); f += corner_of(1))
-      for (Corner c = f; c < f + 3; ++c)
-        if (table.twin(c) != kNoCorner && c < table.twin(c)) visit(c, table.twin(c));
-  };
-  each_edge([&](Corner c, Corner d) {
-    if (!table.notes(c).is_seam(c)) charts.join(face_of(c), face_of(d));
-  });
+  for (Corner f = 0; f < corner_of(table.n_faces()); f += corner_of(1))
+    for (Corner c = f; c < f + 3; ++c)
+      if (c > table.twin(c) && !table.notes(c).is_seam(c)) charts.join(face_of(c), face_of(table.twin(c)));
   mesh.on_slit.assign(table.n_vertices(), 0);
-  each_edge([&](Corner c, Corner d) {
-    if (!table.notes(c).is_seam(c) || charts.root(face_of(c)) != charts.root(face_of(d))) return;
-    mesh.on_slit[table.vertex(c)] = mesh.on_slit[table.vertex(d)] = 1;
-  });
+  for (const Corner c : seams)
+    if (charts.root(face_of(c)) == charts.root(face_of(table.twin(c))))
+      mesh.on_slit[table.vertex(c)] = mesh.on_slit[table.vertex(next(c))] = 1;
 }
 
 /// Marks the edges across which the wedges of the two faces differ at either end.
@@ -49,23 +44,27 @@ inline void mark_seams(Mesh& mesh, const std::vector<std::array<std::uint32_t, 3
                        const std::vector<std::uint32_t>& input_face) {
   CornerTable& table = mesh.table;
   const auto wedge = [&](Corner c) { return wedges[input_face[face_of(c)]][c & 3]; };
+  std::vector<Corner> seams;
   for (Corner f = 0; f < corner_of(table.n_faces()); f += corner_of(1))
     for (Corner c = f; c < f + 3; ++c) {
       const Corner d = table.twin(c);
       if (d == kNoCorner || d < c || (wedge(c) == wedge(next(d)) && wedge(next(c)) == wedge(d))) continue;
-      if (!mesh.has_seams) mesh.seams.assign(table.n_vertices(), 0);
-      mesh.has_seams = mesh.has_lines = true;
-      mesh.all_free = false;
       table.notes(c).set_seam(c);
       table.notes(d).set_seam(d);
-      for (const std::uint32_t v : {table.vertex(c), table.vertex(d)}) {
-        ++mesh.seams[v];
-        if (!table.notes(c).is_feature(c)) mesh.quadrics[v] += line_quadric(mesh, c);
-      }
+      seams.push_back(c);
+    }
+  if (seams.empty()) return;
+  mesh.has_seams = mesh.has_lines = true;
+  mesh.all_free = false;
+  mesh.seams.assign(table.n_vertices(), 0);
+  for (const Corner c : seams)
+    for (const std::uint32_t v : {table.vertex(c), table.vertex(next(c))}) {
+      ++mesh.seams[v];
+      if (!table.notes(c).is_feature(c)) mesh.quadrics[v] += line_quadric(mesh, c);
     }
   for (std::uint32_t v = 0; v < mesh.seams.size(); ++v)
     if (ends_slit(mesh, v)) mesh.holds[v] = kFixed;
-  if (mesh.has_seams) mark_slits(mesh);
+  mark_slits(mesh, seams);
 }
 
 /// Whether the face of `c` is a chart by itself: across each of its edges is a seam or the boundary.
