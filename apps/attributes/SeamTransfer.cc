@@ -97,15 +97,20 @@ auto SeamTransfer::spots(const Eigen::Vector3d& p, detail::Lists::Range members)
   }
   // What a member alone can tell: where three patches or more met. All of them stay there as long as it hardly moves.
   constexpr double kHardly = 1e-3;  // of an edge
-  for (const std::uint32_t* v = members.first; first_face_.size() > 2 && v != members.second; ++v) {
-    const double square = (points[*v] - p).squaredNorm();
-    Spot spot{square > kHardly * kHardly * longest ? square : 0, {}, kNone, *v, 0};
-    for (std::uint32_t i = 0; i < patches_.faces().size(); ++i) {
-      const auto& t = d_.before.triangles[patches_.faces()[i]];
-      if (std::find(t.begin(), t.end(), *v) == t.end()) continue;
-      if (const auto group = group_of(i)) spot.groups.push_back(*group);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> groups_at;
+  if (first_face_.size() > 2)
+    for (const auto& seam : patches_.seams())
+      for (const std::uint32_t v : {seam.low, seam.high})
+        if (std::binary_search(members.first, members.second, v)) groups_at[v];
+  for (std::uint32_t i = 0; !groups_at.empty() && i < patches_.faces().size(); ++i)
+    for (const std::uint32_t v : d_.before.triangles[patches_.faces()[i]]) {
+      const auto found = groups_at.find(v);
+      if (found == groups_at.end()) continue;
+      if (const auto group = group_of(i)) found->second.push_back(*group);
     }
-    add(std::move(spot));
+  for (auto& [v, groups] : groups_at) {
+    const double square = (points[v] - p).squaredNorm();
+    add({square > kHardly * kHardly * longest ? square : 0, std::move(groups), kNone, v, 0});
   }
   return spots;
 }

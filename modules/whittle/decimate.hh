@@ -295,7 +295,7 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
 }
 
 /// Simplifies points and triangles.
-/// \param extras  locks and tolerances of the vertices; those of the options are for OpenMesh meshes.
+/// \param extras  locks and tolerances of the vertices, values, wedges; those of the options are for OpenMesh meshes.
 /// \throw InvalidParameter, InvalidMesh, NotReady  as above; or an option that needs an OpenMesh mesh.
 template <typename Real, typename Planner = MemorylessQuadric>
 DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions& options,
