@@ -87,8 +87,9 @@ class Cells {
     size_ = 3 * box.diagonal().norm();
   }
   Eigen::Vector3d offset(std::uint32_t chart) const {
-    const std::uint32_t row = chart / per_side_, layer = row / per_side_;
-    return size_ * Eigen::Vector3d(chart % per_side_, row % per_side_, layer);
+    const std::uint32_t row = chart / per_side_;
+    const Eigen::Array3<std::uint32_t> place(chart % per_side_, row % per_side_, row / per_side_);
+    return size_ * place.cast<double>().matrix();
   }
 
  private:

@@ -143,7 +143,7 @@ int complain_about_misses(const recipe::Recipe& recipe, const recipe::Result& re
   return code;
 }
 
-int simplify(Options options) {
+int simplify(const Options& options) {
   const recipe::Recipe recipe = make_recipe(options);
   files::WriteOptions format;
   format.ascii = options.ascii;

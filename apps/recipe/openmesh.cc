@@ -117,6 +117,7 @@ std::size_t passed_over(const CollapsePlan& plan, const std::vector<std::pair<in
                         bool target_met) {
   if (!target_met) return plan.collapses.size() - executed.size();
   std::vector<std::uint32_t> gone;
+  gone.reserve(executed.size());
   for (const auto& [from, to] : executed) gone.push_back(static_cast<std::uint32_t>(from));
   std::sort(gone.begin(), gone.end());
   const auto last = std::find_if(plan.collapses.rbegin(), plan.collapses.rend(), [&](const Collapse& c) {

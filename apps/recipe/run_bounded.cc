@@ -166,11 +166,12 @@ Result stop_at_threshold(Task& task, Stage& stage, double bound) {
   };
   double low = first / 8, high = first;
   Attempt best = at(low);
-  for (; high <= last; high *= 2) {
+  while (high <= last) {
     Attempt tried = at(high);
     if (!tried.holds()) break;
     low = high;
     best = std::move(tried);
+    high *= 2;
   }
   while (high - low > 0.01 * high) {
     const double middle = (low + high) / 2;
