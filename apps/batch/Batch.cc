@@ -2,6 +2,7 @@
 
 #include <poll.h>
 
+#include <algorithm>
 #include <cmath>
 #include <list>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "batch/Claim.hh"
 #include "batch/Memory.hh"
+#include "files/MeshFile.hh"
 
 namespace whittle::batch {
 namespace {
@@ -18,29 +20,36 @@ namespace {
 struct Running {
   std::size_t item;
   Claim claim;
+  std::string input_stamp;
   Child child;
 };
 
-Outcome judge(const Ending& ending, const Memory& memory, const Item& item) {
+/// One that is to be begun.
+struct Candidate {
+  std::size_t item;
+  Bid bid;
+};
+
+Outcome failure(const std::string& message) {
   Outcome outcome;
-  outcome.seconds = ending.seconds;
-  outcome.message = ending.message;
-  constexpr int kMissed = 1;
-  if (ending.succeeded() || (ending.how == Ending::How::exited && ending.code == kMissed)) {
-    outcome.status = ending.succeeded() ? Outcome::Status::done : Outcome::Status::missed;
-    memory.keep(item, outcome);
-    return outcome;
-  }
   outcome.status = Outcome::Status::failed;
-  if (ending.how == Ending::How::timed_out)
-    outcome.message = "out of time after " + std::to_string(std::lround(ending.seconds)) + " s";
-  if (ending.how == Ending::How::signalled)
-    outcome.message = "killed by signal " + std::to_string(ending.code);
-  memory.forget_work(item);
+  outcome.message = message;
   return outcome;
 }
 
-/// Waits until a child writes or ends, at most a tenth of a second.
+/// Too many processes or open files: not the fault of a mesh.
+bool is_shortage(const std::error_code& error) {
+  return error == std::errc::too_many_files_open || error == std::errc::too_many_files_open_in_system ||
+         error == std::errc::resource_unavailable_try_again || error == std::errc::not_enough_memory;
+}
+
+/// A path that begins with a minus would be taken for an option.
+std::string argument(const std::filesystem::path& path) {
+  const std::string text = path.string();
+  return text.rfind('-', 0) == 0 ? "./" + text : text;
+}
+
+/// Waits until a child writes or ends, for a moment at most.
 void wait(const std::list<Running>& running) {
   std::vector<pollfd> descriptors;
   for (const Running& one : running) descriptors.push_back({one.child.descriptor(), POLLIN, 0});
@@ -48,45 +57,106 @@ void wait(const std::list<Running>& running) {
   ::poll(descriptors.data(), descriptors.size(), 20);
 }
 
+/// Tells when a time has passed, again and again.
+class Interval {
+ public:
+  explicit Interval(std::chrono::milliseconds length) : length_(length) {}
+  bool passed() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < length_) return false;
+    last_ = now;
+    return true;
+  }
+
+ private:
+  std::chrono::milliseconds length_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 class Run {
  public:
-  Run(const Order& order, const Report& report) : order_(order), report_(report), memory_(order) {
+  Run(const Order& order, const Report& report)
+      : order_(order), report_(report), memory_(order), jobs_(order.jobs) {
     outcomes_.resize(order.items.size());
   }
 
   std::vector<Outcome> all(const std::function<bool()>& interrupted) {
-    auto touched = std::chrono::steady_clock::now();
+    Interval touch(Claim::kLife / 6), look(std::chrono::milliseconds(250));
     while (!interrupted()) {
-      while (running_.size() < order_.jobs && next_ < order_.items.size()) begin(next_++);
-      if (running_.empty()) break;
+      for (; running_.size() < jobs_ && next_ < order_.items.size(); ++next_)
+        begin({next_, Bid(memory_.claim(order_.items[next_]))});
+      if (running_.empty() && waiting_.empty() && next_ == order_.items.size()) break;
       wait(running_);
       collect();
-      const auto now = std::chrono::steady_clock::now();
-      if (now - touched < Claim::kLife / 6) continue;
-      touched = now;
-      for (const Running& one : running_) one.claim.touch();
+      if (look.passed()) look_at_waiting();
+      if (touch.passed())
+        for (const Running& one : running_) one.claim.touch();
     }
-    for (const Running& one : running_) memory_.forget_work(order_.items[one.item]);
+    while (!running_.empty()) {
+      const std::size_t item = running_.front().item;
+      running_.pop_front();  // ends the child, which would go on writing
+      memory_.forget_work(order_.items[item], process_name());
+    }
     return std::move(outcomes_);
   }
 
  private:
-  void begin(std::size_t i) {
-    const Item& item = order_.items[i];
+  void begin(Candidate one) {
     Outcome outcome;
+    const std::size_t i = one.item;
+    try {
+      if (try_begin(one, outcome)) return;
+    } catch (const std::system_error& error) {
+      if (is_shortage(error.code()) && !running_.empty()) {
+        jobs_ = running_.size();
+        waiting_.push_back(std::move(one));
+        return;
+      }
+      outcome = failure(error.what());
+    } catch (const std::exception& error) {
+      outcome = failure(error.what());
+    }
+    end(i, outcome);
+  }
+
+  /// \return false where it is done or cannot be done: `outcome` says why
+  bool try_begin(Candidate& one, Outcome& outcome) {
+    const Item& item = order_.items[one.item];
     outcome.status = Outcome::Status::skipped;
-    if (order_.resume && memory_.knows(item, outcome)) return end(i, outcome, false);
+    if (order_.resume && memory_.knows(item, outcome)) return false;
+    std::optional<Claim> claim = one.bid.take();
+    if (!claim && !one.bid.owner_lives()) {
+      waiting_.push_back(std::move(one));
+      return true;
+    }
     outcome.status = Outcome::Status::elsewhere;
-    std::optional<Claim> claim = Claim::take(memory_.claim(item));
-    if (!claim) return end(i, outcome, false);
+    if (!claim) return false;
+    if (!claim->previous_owner().empty()) memory_.forget_work(item, claim->previous_owner());
     outcome.status = Outcome::Status::skipped;  // it may have been finished just before it was claimed
-    if (order_.resume && memory_.knows(item, outcome)) return end(i, outcome, false);
+    if (order_.resume && memory_.knows(item, outcome)) return false;
     std::filesystem::create_directories(item.out.parent_path());
-    std::vector<std::string> command{order_.program,    "simplify", item.in.string(),
-                                     item.out.string(), "--json",   memory_.work(item).string(),
+    files::check_creatable(item.out);
+    std::vector<std::string> command{order_.program,
+                                     "simplify",
+                                     argument(item.in),
+                                     argument(memory_.result(item)),
+                                     "--json=" + argument(memory_.report(item)),
                                      "--quiet"};
     command.insert(command.end(), order_.arguments.begin(), order_.arguments.end());
-    running_.push_back({i, std::move(*claim), Child(command, order_.limits)});
+    std::string stamp = memory_.input_stamp(item);
+    running_.push_back({one.item, std::move(*claim), std::move(stamp), Child(command, order_.limits)});
+    return true;
+  }
+
+  void look_at_waiting() {
+    std::list<Candidate> again;
+    again.swap(waiting_);
+    for (Candidate& one : again) {
+      if (running_.size() < jobs_)
+        begin(std::move(one));
+      else
+        waiting_.push_back(std::move(one));
+    }
   }
 
   void collect() {
@@ -97,28 +167,61 @@ class Run {
         continue;
       }
       const std::size_t item = one->item;
-      const Outcome outcome = judge(*ending, memory_, order_.items[item]);
-      one = running_.erase(one);  // gives the claim back
-      end(item, outcome, true);
+      Outcome outcome = judge(*ending, *one);
+      memory_.forget_work(order_.items[item], process_name());
+      running_.erase(one++);  // gives the claim back
+      outcome.logged = memory_.log(order_.items[item], outcome);
+      end(item, outcome);
     }
   }
 
-  void end(std::size_t i, const Outcome& outcome, bool worked) {
+  Outcome judge(const Ending& ending, const Running& one) const {
+    constexpr int kMissed = 1;
+    Outcome outcome;
+    if (ending.how == Ending::How::timed_out)
+      outcome = failure("out of time after " + std::to_string(std::lround(ending.seconds)) + " s");
+    else if (ending.how == Ending::How::signalled)
+      outcome = failure("killed by signal " + std::to_string(ending.code));
+    else if (ending.code != 0 && ending.code != kMissed)
+      outcome = failure(ending.message);
+    else
+      outcome = keep(one, ending);
+    outcome.seconds = ending.seconds;
+    return outcome;
+  }
+
+  Outcome keep(const Running& one, const Ending& ending) const {
+    const Item& item = order_.items[one.item];
+    if (!one.claim.is_mine())
+      return failure("another process has taken this one for dead and gone on with it");
+    if (memory_.input_stamp(item) != one.input_stamp) return failure("the input has changed meanwhile");
+    Outcome outcome;
+    outcome.status = ending.succeeded() ? Outcome::Status::done : Outcome::Status::missed;
+    outcome.message = ending.message;
+    try {
+      memory_.keep(item, one.input_stamp, outcome);
+    } catch (const std::exception& error) {
+      return failure(error.what());
+    }
+    return outcome;
+  }
+
+  void end(std::size_t i, const Outcome& outcome) {
     outcomes_[i] = outcome;
-    if (worked) memory_.log(order_.items[i], outcome);
     report_(++ended_, order_.items[i], outcome);
   }
 
   const Order& order_;
   const Report& report_;
   const Memory memory_;
+  std::size_t jobs_;
   std::list<Running> running_;
+  std::list<Candidate> waiting_;  // claimed by a process that may be dead, or there was no room
   std::vector<Outcome> outcomes_;
   std::size_t next_ = 0, ended_ = 0;
 };
 
 }  // namespace
-
 std::string to_string(Outcome::Status status) {
   switch (status) {
     case Outcome::Status::done:

@@ -14,12 +14,13 @@ namespace whittle::batch {
 
 struct Order {
   std::vector<Item> items;
-  std::filesystem::path out;           ///< of the results; what the batch remembers is in `.whittle` there
-  std::string program;                 ///< `whittle`
-  std::vector<std::string> arguments;  ///< of `whittle simplify`, without files
-  std::size_t jobs = 1;                ///< at the same time
-  Limits limits;                       ///< of each
-  bool resume = false;                 ///< leave out what has been done with the same arguments
+  std::filesystem::path out;             ///< of the results; what the batch remembers is in `.whittle` there
+  std::string program;                   ///< `whittle`
+  std::vector<std::string> arguments;    ///< of `whittle simplify`, without input and output
+  std::vector<std::string> named_files;  ///< by the arguments; with other contents they are other arguments
+  std::size_t jobs = 1;                  ///< at the same time
+  Limits limits;                         ///< of each
+  bool resume = false;                   ///< leave out what has been done with the same arguments
 };
 
 /// What became of one mesh.
@@ -36,6 +37,7 @@ struct Outcome {
   double seconds = 0;
   std::size_t faces_before = 0, faces_after = 0;
   std::string message;  ///< what the program said, or how it died
+  bool logged = true;   ///< false: there was no room for its line in the log
 };
 
 std::string to_string(Outcome::Status status);
@@ -43,8 +45,11 @@ std::string to_string(Outcome::Status status);
 /// Called when something has happened: how many are done, in whatever way, and what with the last one.
 using Report = std::function<void(std::size_t done, const Item& item, const Outcome& outcome)>;
 
-/// Works through an order; other processes may work through the same one at the same time. Writes a line of
-/// JSON for each mesh to `out/.whittle/log/`, one file for each process.
+/// Works through an order; other processes may work through the same one at the same time. What goes wrong with
+/// an item ends with this item. A result takes its place when this process has seen that it is whole, so a child
+/// that outlives a killed batch changes nothing. Claims of processes that do not live any more are taken over:
+/// at once on their machine; on another after Claim::kLife without a change, for which this waits at the end.
+/// Writes a line of JSON for each mesh to `out/.whittle/log/`, one file for each process.
 /// \param interrupted  polled often; once true, running children are killed and no more are started.
 /// \return an outcome for each item
 /// \throw BatchError  the folder cannot be written to.

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,8 +16,10 @@ namespace whittle::batch {
 namespace {
 
 /// Only what may be called between fork and exec.
-[[noreturn]] void become(char* const* arguments, int errors, const Limits& limits) {
-  setpgid(0, 0);  // a key that interrupts the batch is the batch's to handle
+[[noreturn]] void become(char* const* arguments, int errors, const Limits& limits, pid_t parent) {
+  setpgid(0, 0);                        // a key that interrupts the batch is the batch's to handle
+  prctl(PR_SET_PDEATHSIG, SIGKILL);     // however the batch dies
+  if (getppid() != parent) _exit(127);  // it has died just now
   if (limits.megabytes) {
     rlimit limit{};
     limit.rlim_cur = limit.rlim_max = static_cast<rlim_t>(*limits.megabytes) << 20;
@@ -48,8 +51,9 @@ Child::Child(const std::vector<std::string>& arguments, const Limits& limits)
   words.push_back(nullptr);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  const pid_t parent = getpid();
   process_ = fork();
-  if (process_ == 0) become(words.data(), ends[1], limits);
+  if (process_ == 0) become(words.data(), ends[1], limits, parent);
   const int error = errno;
   close(ends[1]);
   errors_ = ends[0];

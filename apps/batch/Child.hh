@@ -28,7 +28,7 @@ struct Ending {
   bool succeeded() const { return how == How::exited && code == 0; }
 };
 
-/// Started by the constructor; killed by the destructor if it still runs.
+/// Started by the constructor; killed by the destructor if it still runs, and when this process or thread dies.
 class Child {
  public:
   /// \param arguments  the program's path first

@@ -1,13 +1,16 @@
 #include "batch/Items.hh"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <map>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "files/MeshFile.hh"
+#include "text/hash.hh"
 
 namespace whittle::batch {
 namespace {
@@ -25,12 +28,8 @@ bool is_mesh(const fs::path& path) {
   return is_any_of(files::readable_extensions(), path);
 }
 
-bool is_inside(const fs::path& path, const fs::path& folder) {
-  const fs::path relative = path.lexically_relative(folder);
-  return !relative.empty() && *relative.begin() != "..";
-}
-
-/// A path as the name of one file: what would be understood otherwise is written as %XX.
+/// A path as the name of one file: what would be understood otherwise is written as %XX. The end of a long one
+/// is a hash, as a file's name has 255 bytes at most and the names of what is remembered add to it.
 std::string flat(const std::string& path) {
   std::string out;
   for (const char c : path) {
@@ -41,55 +40,116 @@ std::string flat(const std::string& path) {
     else
       out += c;
   }
-  return out;
+  constexpr std::size_t kLongest = 120, kKept = 80;
+  return out.size() <= kLongest ? out : out.substr(0, kKept) + "%%" + text::hash(path);
 }
 
 /// Input and where its result goes below the folder of results.
-using Found = std::vector<std::pair<fs::path, fs::path>>;
+struct Found {
+  std::vector<std::pair<fs::path, fs::path>> meshes;
+  std::vector<std::string> problems;
+};
 
-Found in_folder(const fs::path& folder, const fs::path& out) {
-  Found found;
-  std::error_code error;
-  const fs::path here = fs::weakly_canonical(folder, error), there = fs::weakly_canonical(out, error);
-  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
-  if (error) throw BatchError(folder.string() + ": " + error.message());
-  for (; at != fs::recursive_directory_iterator(); at.increment(error)) {
-    if (error) throw BatchError(folder.string() + ": " + error.message());
-    const fs::path relative = at->path().lexically_relative(folder);
-    if (here != there && is_inside(here / relative, there)) continue;
-    if (at->is_regular_file(error) && is_mesh(relative)) found.emplace_back(at->path(), relative);
+/// One folder after the other, so that only one is open at a time, however deep they are.
+class Walk {
+ public:
+  Walk(const fs::path& source, const fs::path& out) : source_(source), out_(out) {}
+
+  Found all() {
+    waiting_.push_back(source_);
+    while (!waiting_.empty()) {
+      const fs::path folder = std::move(waiting_.back());
+      waiting_.pop_back();
+      list(folder);
+    }
+    std::sort(found_.meshes.begin(), found_.meshes.end());
+    std::sort(found_.problems.begin(), found_.problems.end());
+    return std::move(found_);
   }
-  std::sort(found.begin(), found.end());
-  return found;
-}
+
+ private:
+  void list(const fs::path& folder) {
+    std::error_code error;
+    fs::directory_iterator at(folder, error);
+    for (; !error && at != fs::directory_iterator(); at.increment(error)) visit(*at);
+    if (error) found_.problems.push_back(folder.string() + ": cannot be listed: " + error.message());
+  }
+
+  void visit(const fs::directory_entry& entry) {
+    std::error_code error;
+    if (entry.symlink_status(error).type() == fs::file_type::directory) {
+      // What a batch remembers has names of meshes too.
+      if (entry.path().filename() != ".whittle" && !fs::equivalent(entry.path(), out_, error))
+        waiting_.push_back(entry.path());
+      return;
+    }
+    if (!is_mesh(entry.path())) return;
+    // A link that leads nowhere is a mesh that cannot be read, which is to be told.
+    const fs::file_type type = entry.status(error).type();
+    if (type == fs::file_type::regular || type == fs::file_type::not_found || type == fs::file_type::none ||
+        type == fs::file_type::unknown)
+      found_.meshes.emplace_back(entry.path(), entry.path().lexically_relative(source_));
+  }
+
+  const fs::path &source_, &out_;
+  std::vector<fs::path> waiting_;
+  Found found_;
+};
 
 Found in_manifest(const fs::path& manifest) {
-  std::ifstream file(manifest);
-  if (!file) throw BatchError(manifest.string() + ": cannot be read");
+  std::string text = files::read_file(manifest);
+  if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);  // a byte-order mark, as some editors write it
+  std::istringstream lines(text);
   Found found;
   std::size_t number = 0;
-  for (std::string line; std::getline(file, line);) {
+  for (std::string line; std::getline(lines, line);) {
     ++number;
     while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) line.pop_back();
     if (line.empty() || line[0] == '#') continue;
     if (!is_mesh(line) || line.find('\0') != std::string::npos)
       throw BatchError(manifest.string() + ":" + std::to_string(number) + ": not the name of a mesh file");
     const fs::path path = line;
-    found.emplace_back(path.is_absolute() ? path : manifest.parent_path() / path, path.filename());
+    found.meshes.emplace_back(path.is_absolute() ? path : manifest.parent_path() / path, path.filename());
   }
-  if (file.bad()) throw BatchError(manifest.string() + ": cannot be read");
   return found;
+}
+
+/// Which file it is, whatever it is called.
+using Identity = std::pair<dev_t, ino_t>;
+
+bool identify(const fs::path& path, Identity& identity) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return false;
+  identity = {status.st_dev, status.st_ino};
+  return true;
+}
+
+/// \throw BatchError  a result would replace the input of another
+void check_inputs_stay(const std::vector<Item>& items) {
+  std::map<Identity, const Item*> inputs;
+  Identity identity;
+  for (const Item& item : items)
+    if (identify(item.in, identity)) inputs.emplace(identity, &item);
+  for (const Item& item : items) {
+    if (!identify(item.out, identity)) continue;
+    const auto input = inputs.find(identity);
+    if (input != inputs.end() && input->second != &item)
+      throw BatchError("the result of " + item.in.string() + " would replace the input " +
+                       input->second->in.string());
+  }
 }
 
 }  // namespace
 
-std::vector<Item> list_items(const fs::path& source, const fs::path& out, const std::string& format) {
+Listing list_items(const fs::path& source, const fs::path& out, const std::string& format) {
   std::error_code error;
   const bool is_folder = fs::is_directory(source, error);
   if (!is_folder && !fs::exists(source, error)) throw BatchError(source.string() + ": there is no such file");
-  std::vector<Item> items;
+  Found found = is_folder ? Walk(source, out).all() : in_manifest(source);
+  Listing listing;
+  listing.problems = std::move(found.problems);
   std::map<fs::path, fs::path> taken;
-  for (auto& [in, relative] : is_folder ? in_folder(source, out) : in_manifest(source)) {
+  for (auto& [in, relative] : found.meshes) {
     if (!format.empty())
       relative.replace_extension(format);
     else if (!is_any_of(files::writable_extensions(), relative))
@@ -98,9 +158,10 @@ std::vector<Item> list_items(const fs::path& source, const fs::path& out, const 
     if (!is_new)
       throw BatchError(in.string() + " and " + other->second.string() + " would both become " +
                        (out / relative).string());
-    items.push_back({in, out / relative, flat(relative.string())});
+    listing.items.push_back({in, out / relative, flat(relative.string())});
   }
-  return items;
+  check_inputs_stay(listing.items);
+  return listing;
 }
 
 }  // namespace whittle::batch

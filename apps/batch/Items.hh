@@ -17,15 +17,21 @@ class BatchError : public std::runtime_error {
 
 struct Item {
   std::filesystem::path in, out;
-  std::string name;  ///< unique in the batch, and valid as a file name
+  std::string name;  ///< unique in the batch, and valid as a part of a file's name
+};
+
+struct Listing {
+  std::vector<Item> items;
+  std::vector<std::string> problems;  ///< folders that could not be listed, and why; a line each
 };
 
 /// All meshes of a folder and of those in it, by name; or of a manifest: a file's name on each line, relative
 /// to the manifest's folder, empty lines and those that begin with # left out.
-/// \param out     a folder; meshes that lie in it already are no input.
+/// \param out     a folder; meshes that lie in it already are no input, unless it is the source itself.
 /// \param format  the extension of the results; empty: that of the input.
-/// \throw BatchError  neither folder nor file; two results would have one name; a line that is no file name.
-std::vector<Item> list_items(const std::filesystem::path& source, const std::filesystem::path& out,
-                             const std::string& format);
+/// \throw BatchError  neither folder nor file; two results would have one name, or the place of an input that
+///                    is not their own; a line that is no file name.
+Listing list_items(const std::filesystem::path& source, const std::filesystem::path& out,
+                   const std::string& format);
 
 }  // namespace whittle::batch

@@ -1,13 +1,14 @@
 #include "batch/Memory.hh"
 
+#include <cerrno>
 #include <ctime>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "batch/Claim.hh"
 #include "files/MeshFile.hh"
+#include "text/hash.hh"
 #include "text/utc.hh"
 #include "version/Version.hh"
 
@@ -19,9 +20,11 @@ using Json = nlohmann::ordered_json;
 
 /// Null where there is none, or it is damaged.
 Json read(const fs::path& path) {
-  std::ifstream file(path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return file ? Json::parse(text, nullptr, false) : Json();
+  try {
+    return Json::parse(files::read_file(path), nullptr, false);
+  } catch (const files::FileError&) {
+    return Json();
+  }
 }
 
 /// A file name need not be UTF-8; a replacement character is better than no log.
@@ -29,54 +32,102 @@ std::string line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void fill_counts(const Json& report, Outcome& outcome) {
-  if (!report.is_object()) return;
-  outcome.faces_before = report.value(Json::json_pointer("/input/faces"), std::size_t{0});
-  outcome.faces_after = report.value(Json::json_pointer("/output/faces"), std::size_t{0});
+/// The text at a place of a record that may hold anything.
+std::string text_at(const Json& record, const char* pointer) {
+  const Json::json_pointer place(pointer);
+  return record.contains(place) && record[place].is_string() ? record[place].get<std::string>() : "";
+}
+
+std::size_t count_at(const Json& record, const char* pointer) {
+  const Json::json_pointer place(pointer);
+  return record.contains(place) && record[place].is_number_unsigned() ? record[place].get<std::size_t>() : 0;
+}
+
+void fill_counts(const Json& record, Outcome& outcome) {
+  outcome.faces_before = count_at(record, "/report/input/faces");
+  outcome.faces_after = count_at(record, "/report/output/faces");
+}
+
+/// Size and time of the last change.
+std::string stamp(const fs::path& file) {
+  std::error_code error;
+  return std::to_string(fs::file_size(file, error)) + " " +
+         std::to_string(fs::last_write_time(file, error).time_since_epoch().count());
+}
+
+/// Whether a file is the result of a record. The time of change spares reading it.
+bool is_result(const Json& record, const fs::path& file) {
+  if (text_at(record, "/result/stamp") == stamp(file)) return true;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error) || count_at(record, "/result/bytes") != fs::file_size(file, error))
+    return false;
+  return text_at(record, "/result/hash") == text::hash(files::read_file(file));
+}
+
+/// Where the input is, seen from the results: the same on machines that mount both elsewhere.
+std::string place_of(const Item& item, const Order& order) {
+  std::error_code error;
+  return fs::proximate(item.in, order.out, error).string();
 }
 
 }  // namespace
 
 Memory::Memory(const Order& order) : order_(order), folder_(order.out / ".whittle") {
+  std::string all = version::number();
+  for (const std::string& argument : order.arguments) all += "\n" + argument;
+  for (const std::string& file : order.named_files) all += "\n" + text::hash(files::read_file(file));
+  arguments_ = text::hash(all);
   for (const char* name : {"claims", "work", "done", "log"}) fs::create_directories(folder_ / name);
   log_ = folder_ / "log" / (process_name() + "-" + std::to_string(std::time(nullptr)) + ".jsonl");
 }
 
-fs::path Memory::work(const Item& item) const {
-  return folder_ / "work" / (item.name + "." + process_name() + ".json");
+fs::path Memory::work(const Item& item, const std::string& process, const char* extension) const {
+  return folder_ / "work" / (item.name + "." + process + extension);
 }
 
-void Memory::forget_work(const Item& item) const {
+fs::path Memory::result(const Item& item) const {
+  return work(item, process_name(), item.out.extension().c_str());
+}
+
+fs::path Memory::report(const Item& item) const {
+  return work(item, process_name(), ".json");
+}
+
+void Memory::forget_work(const Item& item, const std::string& process) const {
   std::error_code ignored;
-  fs::remove(work(item), ignored);
+  fs::remove(work(item, process, item.out.extension().c_str()), ignored);
+  fs::remove(work(item, process, ".json"), ignored);
 }
 
-std::string Memory::key(const Item& item) const {
-  std::error_code error;
-  std::string key = version::number();
-  for (const std::string& argument : order_.arguments) key += "\n" + argument;
-  key += "\n" + std::to_string(fs::file_size(item.in, error));
-  key += "\n" + std::to_string(fs::last_write_time(item.in, error).time_since_epoch().count());
-  return key;
+std::string Memory::input_stamp(const Item& item) const {
+  return stamp(item.in);
 }
 
 bool Memory::knows(const Item& item, Outcome& outcome) const {
+  const Json record = read(done(item));
   std::error_code error;
-  if (!fs::exists(item.out, error)) return false;
-  const Json kept = read(done(item));
-  if (!kept.is_object() || kept.value("key", "") != key(item)) return false;
-  fill_counts(kept.value("report", Json()), outcome);
+  if (text_at(record, "/arguments") != arguments_ || !is_result(record, item.out)) return false;
+  const bool in_place = fs::equivalent(item.in, item.out, error);
+  if (!in_place && (text_at(record, "/input/place") != text::hash(place_of(item, order_)) ||
+                    text_at(record, "/input/stamp") != input_stamp(item)))
+    return false;
+  fill_counts(record, outcome);
   return true;
 }
 
-void Memory::keep(const Item& item, Outcome& outcome) const {
-  const Json report = read(work(item));
-  fill_counts(report, outcome);
-  files::write_file(done(item), line({{"key", key(item)}, {"report", report}}));
-  forget_work(item);
+void Memory::keep(const Item& item, const std::string& input_stamp, Outcome& outcome) const {
+  const std::string bytes = files::read_file(result(item));
+  const Json record = {
+      {"arguments", arguments_},
+      {"input", {{"place", text::hash(place_of(item, order_))}, {"stamp", input_stamp}}},
+      {"result", {{"stamp", stamp(result(item))}, {"bytes", bytes.size()}, {"hash", text::hash(bytes)}}},
+      {"report", read(report(item))}};
+  files::write_file(done(item), line(record));
+  files::move_file(result(item), item.out);
+  fill_counts(record, outcome);
 }
 
-void Memory::log(const Item& item, const Outcome& outcome) const {
+bool Memory::log(const Item& item, const Outcome& outcome) const {
   std::ofstream file(log_, std::ios::app);
   file << line({{"file", item.in.string()},
                 {"out", item.out.string()},
@@ -88,6 +139,7 @@ void Memory::log(const Item& item, const Outcome& outcome) const {
                 {"process", process_name()},
                 {"time_utc", text::now_utc()}})
        << std::flush;
+  return file.good();
 }
 
 }  // namespace whittle::batch

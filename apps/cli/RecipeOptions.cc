@@ -112,6 +112,18 @@ recipe::Recipe make_recipe(const RecipeOptions& options) {
   return recipe;
 }
 
+std::vector<std::string> selection_files(const RecipeOptions& options) {
+  std::vector<std::string> files;
+  for (const std::string& text : options.locks)
+    if (const recipe::Lock lock = recipe::parse_lock(text); lock.what == recipe::Lock::What::selection)
+      files.push_back(lock.file);
+  return files;
+}
+
+void read_selections(const RecipeOptions& options, files::Outputs& outputs) {
+  for (const std::string& file : selection_files(options)) outputs.reads("--lock", file);
+}
+
 files::ReadOptions read_options(const RecipeOptions& options) {
   files::ReadOptions read;
   read.repair = options.repair == "none"  ? files::Repair::none

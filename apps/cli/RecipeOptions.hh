@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "files/MeshFile.hh"
+#include "files/Outputs.hh"
 #include "recipe/Recipe.hh"
 
 namespace whittle::cli {
@@ -25,6 +26,12 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
 
 /// \throw recipe::RecipeError
 recipe::Recipe make_recipe(const RecipeOptions& options);
+
+/// The files that the options name.
+std::vector<std::string> selection_files(const RecipeOptions& options);
+
+/// Tells the outputs of them, so that none is overwritten.
+void read_selections(const RecipeOptions& options, files::Outputs& outputs);
 
 files::ReadOptions read_options(const RecipeOptions& options);
 

@@ -3,17 +3,20 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
-#include <cstdio>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <thread>
+#include <utility>
 
 #include "cli/RecipeOptions.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "terminal/Progress.hh"
+#include "text/format.hh"
+#include "text/printable.hh"
 
 namespace whittle::cli {
 namespace {
@@ -36,17 +39,18 @@ void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = [](int) { interrupted = 1; };
   action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction old {};
+    sigaction(signal, nullptr, &old);
+    if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup ignores a hang-up
+  }
 }
 
 /// The arguments of `whittle simplify`, without the files.
 std::vector<std::string> simplify_arguments(const Options& options) {
   std::vector<std::string> out;
   const auto add = [&](const char* name, const std::string& value) {
-    if (value.empty()) return;
-    out.push_back(name);
-    out.push_back(value);
+    if (!value.empty()) out.push_back(name + ("=" + value));  // a value may begin with a minus
   };
   const auto add_number = [&](const char* name, const auto& value) {
     if (value) add(name, Json(*value).dump());
@@ -77,32 +81,38 @@ bool is_bad(const Outcome& outcome) {
   return outcome.status == Outcome::Status::failed || outcome.status == Outcome::Status::missed;
 }
 
-void print_table(const std::vector<batch::Item>& items, const std::vector<Outcome>& outcomes, bool all) {
-  std::printf("%-40s %12s %12s %9s  %s\n", "file", "faces", "left", "seconds", "");
+std::string table(const std::vector<batch::Item>& items, const std::vector<Outcome>& outcomes, bool all) {
+  std::string out = text::format("%-40s %12s %12s %9s  %s\n", "file", "faces", "left", "seconds", "");
   std::map<std::string, std::size_t> counts;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Outcome& outcome = outcomes[i];
     ++counts[batch::to_string(outcome.status)];
     if (!all && !is_bad(outcome)) continue;
-    std::printf("%-40s %12zu %12zu %9.2f  %s%s%s\n", items[i].in.string().c_str(), outcome.faces_before,
-                outcome.faces_after, outcome.seconds, batch::to_string(outcome.status).c_str(),
-                outcome.message.empty() ? "" : ": ", outcome.message.c_str());
+    out += text::format("%-40s %12zu %12zu %9.2f  %s%s%s\n", text::printable(items[i].in.string()).c_str(),
+                        outcome.faces_before, outcome.faces_after, outcome.seconds,
+                        batch::to_string(outcome.status).c_str(), outcome.message.empty() ? "" : ": ",
+                        text::printable(outcome.message).c_str());
   }
-  std::printf("%zu meshes:", items.size());
-  for (const auto& [status, count] : counts) std::printf(" %zu %s;", count, status.c_str());
-  std::printf("\n");
+  out += text::format("%zu meshes:", items.size());
+  for (const auto& [status, count] : counts) out += text::format(" %zu %s;", count, status.c_str());
+  return out + "\n";
 }
 
 int run_batch(const Options& options) {
   make_recipe(options);  // what is wrong with it is wrong before anything is begun
   batch::Order order;
-  order.items = batch::list_items(options.source, options.out, options.format);
+  if (options.out == "-")
+    throw batch::BatchError("--out: results cannot go to standard output; ./- is a folder of that name");
+  batch::Listing listing = batch::list_items(options.source, options.out, options.format);
+  order.items = std::move(listing.items);
   order.out = options.out;
   order.program = own_path();
   order.arguments = simplify_arguments(options);
+  order.named_files = selection_files(options);
   order.jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
   order.limits = {options.time_limit, options.memory_limit};
   order.resume = options.resume;
+  for (const std::string& problem : listing.problems) complain(problem);
   if (order.items.empty()) throw batch::BatchError(options.source + ": there are no meshes");
 
   catch_interrupts();
@@ -123,14 +133,14 @@ int run_batch(const Options& options) {
   progress.clear();
 
   constexpr std::size_t kShort = 40;  // lines: longer reports list failures only
-  if (!options.quiet) print_table(order.items, outcomes, options.verbose || outcomes.size() <= kShort);
-  if (interrupted != 0) {
-    complain("interrupted; --resume goes on from here");
-    return 1;
-  }
-  for (const Outcome& outcome : outcomes)
-    if (is_bad(outcome)) return 1;
-  return 0;
+  const bool printed = options.quiet || print_summary(table(order.items, outcomes,
+                                                            options.verbose || outcomes.size() <= kShort));
+  if (interrupted != 0) complain("interrupted; --resume goes on from here");
+  const auto unlogged =
+      std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return !o.logged; });
+  if (unlogged > 0) complain(std::to_string(unlogged) + " lines are missing in the log: no room for them");
+  const bool all_well = std::none_of(outcomes.begin(), outcomes.end(), is_bad) && listing.problems.empty();
+  return all_well && printed && unlogged == 0 && interrupted == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -168,7 +178,8 @@ Command add_batch(CLI::App& app) {
   command->add_flag("--verbose", options->verbose, "List every mesh at the end, however many")
       ->excludes(quiet);
   command->footer(
-      "Exit codes: 0 all done; 1 a mesh failed or missed its target; 2 bad usage.\n"
+      "Exit codes: 0 all done; 1 a mesh failed or missed its target, or a folder could not be listed; 2 bad "
+      "usage.\n"
       "Start it as often as you like on the same folders, also on several machines, with --resume: each mesh "
       "is\n"
       "done once. A line for each goes to DIR/.whittle/log/*.jsonl.\n\n"

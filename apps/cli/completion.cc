@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hh"
+#include "cli/report.hh"
 #include "recipe/Catalogue.hh"
 #include "recipe/Recipe.hh"
 
@@ -86,7 +86,8 @@ std::string bash(const CLI::App& app) {
          "    esac\n"
          "    return\n"
          "  fi\n"
-         "  COMPREPLY=($(compgen -f -- \"$word\"))\n"
+         "  local name\n"  // a name may hold blanks and stars
+         "  while IFS= read -r name; do COMPREPLY+=(\"$name\"); done < <(compgen -f -- \"$word\")\n"
          "}\n"
          "complete -o filenames -F _whittle whittle\n";
 }
@@ -111,7 +112,7 @@ int print_completion(const CLI::App& app, const std::string& shell) {
                            : shell == "zsh"
                                ? "#compdef whittle\nautoload -U +X bashcompinit && bashcompinit\n" + bash(app)
                                : bash(app);
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  print_text(text);
   return 0;
 }
 

@@ -1,21 +1,25 @@
-#include <cstdio>
 #include <memory>
 
 #include "cli/commands.hh"
 #include "cli/report.hh"
+#include "files/Outputs.hh"
+#include "text/format.hh"
+#include "text/printable.hh"
 
 namespace whittle::cli {
 namespace {
 
-void print(const std::string& path, const std::string& format, const measure::MeshFacts& f) {
-  const auto count = [](const char* name, std::size_t n) { std::printf("  %-22s %zu\n", name, n); };
-  const auto size = [](const char* name, double x) { std::printf("  %-22s %s\n", name, figure(x).c_str()); };
-  std::printf("%s (%s)\n", path.c_str(), format.c_str());
+std::string table(const std::string& path, const std::string& format, const measure::MeshFacts& f) {
+  std::string out = text::printable(path) + " (" + format + ")\n";
+  const auto count = [&](const char* name, std::size_t n) { out += text::format("  %-22s %zu\n", name, n); };
+  const auto size = [&](const char* name, double x) {
+    out += text::format("  %-22s %s\n", name, figure(x).c_str());
+  };
   count("vertices", f.vertices);
   count("faces", f.faces);
   count("edges", f.edges);
   count("components", f.components);
-  std::printf("  %-22s %ld\n", "Euler characteristic", f.euler_characteristic);
+  out += text::format("  %-22s %ld\n", "Euler characteristic", f.euler_characteristic);
   count("boundary edges", f.boundary_edges);
   count("boundary loops", f.boundary_loops);
   count("non-manifold edges", f.nonmanifold_edges);
@@ -29,6 +33,7 @@ void print(const std::string& path, const std::string& format, const measure::Me
   size("shortest edge", f.min_edge);
   size("longest edge", f.max_edge);
   size("box diagonal", f.diagonal);
+  return out;
 }
 
 }  // namespace
@@ -45,15 +50,18 @@ Command add_info(CLI::App& app) {
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->footer("Example:\n  whittle info bunny.ply");
   return [options] {
-    check_json_target(options->json);
+    files::Outputs outputs;
+    outputs.reads("MESH", options->mesh);
+    outputs.add("--json", options->json);
     const files::MeshFile in = files::read_mesh(options->mesh);
     if (!options->quiet) print_notes(options->mesh, in.report);
     const measure::MeshFacts facts = measure::facts(in.mesh);
-    write_json(options->json, {{"command", "info"},
-                               {"file", options->mesh},
-                               {"read", to_json(in.report)},
-                               {"mesh", to_json(facts)}});
-    if (!options->quiet && options->json != "-") print(options->mesh, in.report.format, facts);
+    outputs.write("--json", json_text({{"command", "info"},
+                                       {"file", options->mesh},
+                                       {"read", to_json(in.report)},
+                                       {"mesh", to_json(facts)}}));
+    if (!options->quiet && options->json != "-") print_text(table(options->mesh, in.report.format, facts));
+    outputs.commit();
     return 0;
   };
 }

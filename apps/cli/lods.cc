@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "cli/RecipeOptions.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
+#include "files/Outputs.hh"
 #include "recipe/Progression.hh"
+#include "text/format.hh"
+#include "text/printable.hh"
 
 namespace whittle::cli {
 namespace {
@@ -29,11 +32,15 @@ struct Level {
   bool target_reached() const { return result.target_reached; }
 };
 
-bool is_glb(const std::string& path) {
+bool has_extension(const std::string& path, const char* wanted) {
   std::string extension = fs::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".glb";
+  return extension == wanted;
+}
+
+bool is_glb(const std::string& path) {
+  return has_extension(path, ".glb");
 }
 
 /// "out/bunny.ply" becomes "out/bunny-lod0.ply", "out/bunny-lod1.ply", and so on.
@@ -44,10 +51,31 @@ std::string file_of(const std::string& out, std::size_t level) {
       .string();
 }
 
-/// Where the levels go by default: beside the model.
+/// Where the levels go by default: beside the model. A GLB that holds all levels has another name than the model.
 std::string default_out(const std::string& in) {
   if (in == "-") throw recipe::RecipeError("--out is required where the model comes from standard input");
-  return in;
+  const fs::path path = in;
+  if (!is_glb(in) && !has_extension(in, ".gltf")) return in;
+  return (path.parent_path() / (path.stem().string() + "-lods.glb")).string();
+}
+
+/// What messages call the output of a level.
+std::string role_of(std::size_t level) {
+  return "level " + std::to_string(level);
+}
+
+/// Tells the outputs of every file of the run.
+void add_files(const Options& options, files::Outputs& outputs) {
+  if (options.out == "-") throw recipe::RecipeError("--out: the levels cannot go to standard output");
+  const bool one_file = is_glb(options.out);
+  for (std::size_t i = 0; i < (one_file ? 1 : options.levels); ++i)
+    files::check_writable(one_file ? options.out : file_of(options.out, i));
+  outputs.reads("MODEL", options.in);
+  read_selections(options, outputs);
+  if (one_file) outputs.add("--out", options.out);
+  for (std::size_t i = 0; !one_file && i < options.levels; ++i)
+    outputs.add(role_of(i), file_of(options.out, i));
+  outputs.add("--json", options.json);
 }
 
 /// What the modules are to do for a level of so many faces.
@@ -108,61 +136,70 @@ Json describe(const Options& options, const files::MeshFile& in, const std::vect
           {"levels", list}};
 }
 
-void print(const files::MeshFile& in, const std::vector<Level>& levels) {
-  std::printf("%5s %10s %10s %14s %14s  %s\n", "level", "vertices", "faces", "RMS, % of box", "max, % of box",
-              "file");
-  std::printf("%5d %10zu %10zu %14s %14s\n", 0, in.mesh.points.size(), in.mesh.triangles.size(), "0", "0");
+std::string table(const files::MeshFile& in, const std::vector<Level>& levels) {
+  std::string out = text::format("%5s %10s %10s %14s %14s  %s\n", "level", "vertices", "faces",
+                                 "RMS, % of box", "max, % of box", "file");
+  out += text::format("%5d %10zu %10zu %14s %14s\n", 0, in.mesh.points.size(), in.mesh.triangles.size(), "0",
+                      "0");
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const auto& d = levels[i].distance;
-    std::printf("%5zu %10zu %10zu %14s %14s  %s\n", i + 1, levels[i].result.mesh.points.size(),
-                levels[i].result.mesh.triangles.size(), figure(100 * d.two_sided.rms / d.diagonal).c_str(),
-                figure(100 * d.two_sided.max / d.diagonal).c_str(), levels[i].file.c_str());
+    out += text::format(
+        "%5zu %10zu %10zu %14s %14s  %s\n", i + 1, levels[i].result.mesh.points.size(),
+        levels[i].result.mesh.triangles.size(), figure(100 * d.two_sided.rms / d.diagonal).c_str(),
+        figure(100 * d.two_sided.max / d.diagonal).c_str(), text::printable(levels[i].file).c_str());
   }
+  return out;
 }
 
 /// \return what the formats could not take.
-std::vector<std::string> write(const Options& options, const files::MeshFile& in,
-                               std::vector<Level>& levels) {
+std::vector<std::string> write(const Options& options, const files::MeshFile& in, std::vector<Level>& levels,
+                               files::Outputs& outputs) {
   if (is_glb(options.out)) {
     std::vector<files::Level> all{{in.mesh, in.attributes, 0}};
     for (Level& level : levels) {
       all.push_back({level.result.mesh, level.result.attributes, level.distance.two_sided.max});
       level.file = options.out;
     }
-    return files::write_glb_levels(options.out, all).notes();
+    files::Encoded one = files::encode_glb_levels(options.out, all);
+    outputs.write("--out", std::move(one.bytes));
+    return one.report.notes();
   }
   files::WriteOptions format;
   format.ascii = options.ascii;
   format.single_precision = in.single_precision;
-  std::vector<std::string> notes =
-      files::write_mesh(file_of(options.out, 0), in.mesh, format, in.attributes).notes();
+  files::Encoded model = files::encode_mesh(file_of(options.out, 0), in.mesh, format, in.attributes);
+  outputs.write(role_of(0), std::move(model.bytes));
   for (std::size_t i = 0; i < levels.size(); ++i) {
     levels[i].file = file_of(options.out, i + 1);
-    files::write_mesh(levels[i].file, levels[i].result.mesh, format, levels[i].result.attributes);
+    const recipe::Result& result = levels[i].result;
+    outputs.write(role_of(i + 1),
+                  files::encode_mesh(levels[i].file, result.mesh, format, result.attributes).bytes);
   }
-  return notes;
+  return model.report.notes();
 }
 
 int lods(Options options) {
   if (options.out.empty()) options.out = default_out(options.in);
   recipe_for(options, 1);  // what is wrong with it is wrong before anything is read
-  for (std::size_t i = 0; i < (is_glb(options.out) ? 1 : options.levels); ++i)
-    files::check_writable(is_glb(options.out) ? options.out : file_of(options.out, i));
-  check_json_target(options.json);
+  files::Outputs outputs;
+  add_files(options, outputs);
   const files::MeshFile in = files::read_mesh(options.in, read_options(options));
   if (!options.quiet) print_notes(options.in, in.report);
   std::vector<Level> levels = make_levels(options, in);
-  for (const std::string& note : write(options, in, levels))
-    if (!options.quiet) complain(options.out + ": " + note);
-  write_json(options.json, describe(options, in, levels));
-  if (!options.quiet && options.json != "-") print(in, levels);
+  const std::vector<std::string> notes = write(options, in, levels, outputs);
+  outputs.write("--json", json_text(describe(options, in, levels)));
+  outputs.commit();
+  if (!options.quiet)
+    for (const std::string& note : notes) complain(options.out + ": " + note);
+  int code = 0;
+  if (!options.quiet && options.json != "-" && !print_summary(table(in, levels))) code = 1;
   for (const Level& level : levels)
     if (!level.target_reached()) {
       complain("a level has " + std::to_string(level.result.mesh.triangles.size()) + " faces where " +
                std::to_string(level.wanted) + " were wanted; no further collapse is allowed");
       return 1;
     }
-  return 0;
+  return code;
 }
 
 }  // namespace
@@ -181,7 +218,7 @@ Command add_lods(CLI::App& app) {
   command
       ->add_option("--out", options->out,
                    "NAME.glb: all levels in one file, with MSFT_lod; else one file each, NAME-lod0.ply and "
-                   "so on. Default: beside the model")
+                   "so on. Default: beside the model, NAME-lods.glb for glTF")
       ->type_name("NAME");
   add_recipe_options(*command, *options, false);
   command->add_option("--samples", options->samples, "Sample points on each surface for the errors")

@@ -1,8 +1,13 @@
 /// \file
 /// `whittle`: simplify meshes, one or many, measure the error, and describe a file.
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +20,13 @@ namespace {
 
 constexpr int kBadUsage = 2;
 
+/// A descriptor that was closed at the start would become that of the first file that is opened, and what is
+/// printed would go there. What stands in for it fails when it is used.
+void fill_standard_descriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(descriptor, F_GETFD) < 0) open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 int refuse(const std::string& message) {
   whittle::cli::complain(message);
   return kBadUsage;
@@ -24,6 +36,8 @@ int refuse(const std::string& message) {
 
 int main(int argc, char** argv) {
   namespace cli = whittle::cli;
+  fill_standard_descriptors();
+  signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of writing, after which no half of a file stays
   try {
     CLI::App app("Simplifies triangle meshes (OBJ, PLY, OFF, STL, OM, GLB).", "whittle");
     app.require_subcommand(0, 1);
@@ -39,7 +53,12 @@ int main(int argc, char** argv) {
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-      if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+      if (error.get_exit_code() == 0) {  // --help, --version
+        std::ostringstream asked;
+        app.exit(error, asked, asked);
+        cli::print_text(asked.str());
+        return 0;
+      }
       return refuse(error.what());
     }
     for (const auto& [name, command] : commands)

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "cli/commands.hh"
+#include "cli/report.hh"
 #include "version/Version.hh"
 
 namespace whittle::cli {
@@ -24,45 +24,44 @@ std::string roff(const std::string& text) {
   return out;
 }
 
-void print(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-}
-
-void print_option(const CLI::Option& option) {
+std::string option_text(const CLI::Option& option) {
   std::string head = option.get_positional() ? option.get_name(true) : option.get_name(false, true);
   if (option.get_type_size() != 0 && !option.get_positional()) {
     const std::string type = option.get_type_name();
     head += " " + (type.empty() ? "VALUE" : type.substr(0, type.find(':')));
   }
-  print(".TP\n.B " + roff(head) + "\n" + roff(option.get_description()));
-  if (!option.get_default_str().empty()) print(roff(" (default: " + option.get_default_str() + ")"));
-  print("\n");
+  std::string out = ".TP\n.B " + roff(head) + "\n" + roff(option.get_description());
+  if (!option.get_default_str().empty()) out += roff(" (default: " + option.get_default_str() + ")");
+  return out + "\n";
 }
 
-void print_command(CLI::App& command) {
-  print(".SS " + roff("whittle " + command.get_name()) + "\n" + roff(command.get_description()) + ".\n");
+std::string command_text(CLI::App& command) {
+  std::string out =
+      ".SS " + roff("whittle " + command.get_name()) + "\n" + roff(command.get_description()) + ".\n";
   for (const CLI::Option* option : command.get_options())
-    if (option->get_name() != "--help") print_option(*option);
+    if (option->get_name() != "--help") out += option_text(*option);
   if (const std::string footer = command.get_footer(); !footer.empty())
-    print(".PP\n.nf\n" + roff(footer) + "\n.fi\n");
+    out += ".PP\n.nf\n" + roff(footer) + "\n.fi\n";
+  return out;
 }
 
 int print_manual(CLI::App& app) {
-  print(".TH WHITTLE 1 \"\" \"whittle " + version::number() + "\" \"User commands\"\n");
-  print(".SH NAME\nwhittle \\- simplify triangle meshes\n");
-  print(".SH SYNOPSIS\n");
+  std::string out = ".TH WHITTLE 1 \"\" \"whittle " + version::number() + "\" \"User commands\"\n";
+  out += ".SH NAME\nwhittle \\- simplify triangle meshes\n";
+  out += ".SH SYNOPSIS\n";
   const auto commands =
       app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
   for (const CLI::App* command : commands) {
     std::string line = ".B whittle " + roff(command->get_name()) + "\n";
     for (const CLI::Option* option : command->get_options())
       if (option->get_positional()) line += roff(option->get_name(true)) + "\n";
-    print(line + "[options]\n.br\n");
+    out += line + "[options]\n.br\n";
   }
-  print(".SH DESCRIPTION\n" + roff(app.get_description()) + "\n");
-  print(".SH COMMANDS\n");
-  for (CLI::App* command : commands) print_command(*command);
-  print(".SH EXIT STATUS\n.nf\n" + roff(app.get_footer()) + "\n.fi\n");
+  out += ".SH DESCRIPTION\n" + roff(app.get_description()) + "\n";
+  out += ".SH COMMANDS\n";
+  for (CLI::App* command : commands) out += command_text(*command);
+  out += ".SH EXIT STATUS\n.nf\n" + roff(app.get_footer()) + "\n.fi\n";
+  print_text(out);
   return 0;
 }
 

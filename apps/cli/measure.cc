@@ -1,11 +1,12 @@
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "attributes/TextureError.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
+#include "files/Outputs.hh"
+#include "text/format.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle::cli {
@@ -32,38 +33,41 @@ std::optional<attributes::TextureError> slid(const files::MeshFile& original,
   }
 }
 
-void print(const attributes::TextureError& e, double texels) {
-  std::printf("%-22s %14s %14s   of a texture of %s across; %zu of %zu charts left\n", "texture, RMS and max",
-              figure(e.rms).c_str(), figure(e.max).c_str(), figure(texels).c_str(), e.charts_left, e.charts);
+std::string line(const attributes::TextureError& e, double texels) {
+  return text::format("%-22s %14s %14s   of a texture of %s across; %zu of %zu charts left\n",
+                      "texture, RMS and max", figure(e.rms).c_str(), figure(e.max).c_str(),
+                      figure(texels).c_str(), e.charts_left, e.charts);
 }
 
-void print(const measure::MeshFacts& a, const measure::MeshFacts& b, const measure::Distance& d) {
-  std::printf("%-22s %14s %14s\n", "", "original", "simplified");
-  const auto count = [](const char* name, std::size_t x, std::size_t y) {
-    std::printf("%-22s %14zu %14zu\n", name, x, y);
+std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, const measure::Distance& d) {
+  std::string out = text::format("%-22s %14s %14s\n", "", "original", "simplified");
+  const auto count = [&](const char* name, std::size_t x, std::size_t y) {
+    out += text::format("%-22s %14zu %14zu\n", name, x, y);
   };
-  const auto size = [](const char* name, double x, double y) {
-    std::printf("%-22s %14s %14s\n", name, figure(x).c_str(), figure(y).c_str());
+  const auto size = [&](const char* name, double x, double y) {
+    out += text::format("%-22s %14s %14s\n", name, figure(x).c_str(), figure(y).c_str());
   };
   count("vertices", a.vertices, b.vertices);
   count("faces", a.faces, b.faces);
   count("components", a.components, b.components);
-  std::printf("%-22s %14ld %14ld\n", "Euler characteristic", a.euler_characteristic, b.euler_characteristic);
+  out += text::format("%-22s %14ld %14ld\n", "Euler characteristic", a.euler_characteristic,
+                      b.euler_characteristic);
   count("boundary edges", a.boundary_edges, b.boundary_edges);
   count("non-manifold edges", a.nonmanifold_edges, b.nonmanifold_edges);
   count("degenerate faces", a.degenerate_faces, b.degenerate_faces);
   size("area", a.area, b.area);
   size("volume", a.volume, b.volume);
 
-  std::printf("\n%-22s %14s %14s\n", "distance, two-sided", "model units", "% of diagonal");
+  out += text::format("\n%-22s %14s %14s\n", "distance, two-sided", "model units", "% of diagonal");
   const auto distance = [&](const char* name, double x) {
-    std::printf("%-22s %14s %14s\n", name, figure(x).c_str(), figure(100 * x / d.diagonal).c_str());
+    out += text::format("%-22s %14s %14s\n", name, figure(x).c_str(), figure(100 * x / d.diagonal).c_str());
   };
   distance("RMS", d.two_sided.rms);
   distance("mean", d.two_sided.mean);
   distance("max", d.two_sided.max);
-  std::printf("%-22s %14zu   turned by more than 90 degrees against the nearest original face\n",
-              "flipped faces", d.flipped_faces);
+  out += text::format("%-22s %14zu   turned by more than 90 degrees against the nearest original face\n",
+                      "flipped faces", d.flipped_faces);
+  return out;
 }
 
 }  // namespace
@@ -89,7 +93,10 @@ Command add_measure(CLI::App& app) {
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->footer("Example:\n  whittle measure bunny.ply small.ply");
   return [options] {
-    check_json_target(options->json);
+    files::Outputs outputs;
+    outputs.reads("ORIGINAL", options->original);
+    outputs.reads("SIMPLIFIED", options->simplified);
+    outputs.add("--json", options->json);
     const files::MeshFile original = files::read_mesh(options->original);
     const files::MeshFile simplified = files::read_mesh(options->simplified);
     if (!options->quiet) {
@@ -104,14 +111,15 @@ Command add_measure(CLI::App& app) {
     on_texture.samples = options->samples;
     on_texture.texels = options->texels;
     const auto texture = slid(original, simplified, on_texture);
-    write_json(options->json, {{"command", "measure"},
-                               {"original", {{"file", options->original}, {"mesh", to_json(before)}}},
-                               {"simplified", {{"file", options->simplified}, {"mesh", to_json(after)}}},
-                               {"distance", to_json(distance)},
-                               {"texture", texture ? to_json(*texture, options->texels) : Json(nullptr)}});
-    if (options->quiet || options->json == "-") return 0;
-    print(before, after, distance);
-    if (texture) print(*texture, options->texels);
+    outputs.write("--json",
+                  json_text({{"command", "measure"},
+                             {"original", {{"file", options->original}, {"mesh", to_json(before)}}},
+                             {"simplified", {{"file", options->simplified}, {"mesh", to_json(after)}}},
+                             {"distance", to_json(distance)},
+                             {"texture", texture ? to_json(*texture, options->texels) : Json(nullptr)}}));
+    if (!options->quiet && options->json != "-")
+      print_text(table(before, after, distance) + (texture ? line(*texture, options->texels) : ""));
+    outputs.commit();
     return 0;
   };
 }

@@ -2,30 +2,36 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
 #include "text/number.hh"
+#include "text/printable.hh"
 
 namespace whittle::cli {
 
-void check_json_target(const std::string& target) {
-  if (!target.empty() && target != "-") files::check_creatable(target);
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void write_json(const std::string& target, const Json& json) {
-  const std::string text = json.dump(2) + "\n";
-  if (target == "-")
-    std::cout << text << std::flush;
-  else if (!target.empty())
-    files::write_file(target, text);
+void print_text(const std::string& text) {
+  files::write_file("-", text);
 }
 
-void complain(std::string message) {
-  for (char& c : message)
-    if (c == '\n') c = ' ';
+bool print_summary(const std::string& text) {
+  try {
+    print_text(text);
+    return true;
+  } catch (const files::FileError& error) {
+    complain(std::string("all is written, but not the summary: ") + error.what());
+    return false;
+  }
+}
+
+void complain(const std::string& message) {
   const bool colour = isatty(STDERR_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
-  std::cerr << (colour ? "\033[1mwhittle:\033[0m " : "whittle: ") << message << std::endl;
+  std::cerr << (colour ? "\033[1mwhittle:\033[0m " : "whittle: ") << text::printable(message) << std::endl;
 }
 
 void print_notes(const std::string& path, const files::ReadReport& report) {
@@ -33,7 +39,7 @@ void print_notes(const std::string& path, const files::ReadReport& report) {
 }
 
 std::string figure(double value) {
-  return text::significant(value, 6);
+  return std::isfinite(value) ? text::significant(value, 6) : "too large";
 }
 
 }  // namespace whittle::cli

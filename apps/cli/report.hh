@@ -11,17 +11,24 @@ namespace whittle::cli {
 using figures::Json;
 using figures::to_json;
 
-/// Where `--json` goes: a file, `-` for standard output, or empty for nowhere.
-void check_json_target(const std::string& target);
-void write_json(const std::string& target, const Json& json);
+/// JSON as a file has it. A file's name need not be UTF-8: what is not becomes a replacement character.
+std::string json_text(const Json& json);
+
+/// Prints to standard output. \throw files::FileError  it is full or closed
+void print_text(const std::string& text);
+
+/// The same for a summary of what has been written to files already: if it cannot be printed, that is said on
+/// stderr.
+/// \return whether it was printed
+bool print_summary(const std::string& text);
 
 /// Reports on stderr what a reader had to change or leave out.
 void print_notes(const std::string& path, const files::ReadReport& report);
 
 /// A line on stderr in the program's name, whatever the message holds.
-void complain(std::string message);
+void complain(const std::string& message);
 
-/// A figure with six digits.
+/// A figure with six digits; in words where it is beyond what a number can be.
 std::string figure(double value);
 
 }  // namespace whittle::cli

@@ -1,10 +1,12 @@
-#include <cstdio>
-#include <iostream>
 #include <memory>
+#include <utility>
 
 #include "cli/RecipeOptions.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
+#include "files/Outputs.hh"
+#include "text/format.hh"
+#include "text/printable.hh"
 
 namespace whittle::cli {
 namespace {
@@ -80,39 +82,42 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
           {"nonmanifold_faces_dropped", result.refused_faces}};
 }
 
-void print(const Options& options, const files::MeshFile& in, const recipe::Result& result) {
+std::string summary(const Options& options, const files::MeshFile& in, const recipe::Result& result) {
   const double before = static_cast<double>(in.mesh.triangles.size());
   const double after = static_cast<double>(result.mesh.triangles.size());
   double seconds = 0;
   for (const auto& stage : result.stages) seconds += stage.plan_seconds + stage.execute_seconds;
-  std::printf("%s: %zu faces of %zu left (%.1f %% removed), %zu vertices, %zu flipped, %.1f ms\n",
-              options.out.c_str(), result.mesh.triangles.size(), in.mesh.triangles.size(),
-              before > 0 ? 100 * (1 - after / before) : 0, result.mesh.points.size(), result.flipped_faces,
-              seconds * 1e3);
+  std::string out =
+      text::format("%s: %zu faces of %zu left (%.1f %% removed), %zu vertices, %zu flipped, %.1f ms\n",
+                   text::printable(options.out).c_str(), result.mesh.triangles.size(),
+                   in.mesh.triangles.size(), before > 0 ? 100 * (1 - after / before) : 0,
+                   result.mesh.points.size(), result.flipped_faces, seconds * 1e3);
   if (result.charts_gone > 0)
-    std::printf("  %zu of %zu charts of the texture have vanished\n", result.charts_gone, result.charts);
-  if (result.distance) std::printf("  distance to the input: %s\n", figure(*result.distance).c_str());
-  if (!options.verbose) return;
+    out +=
+        text::format("  %zu of %zu charts of the texture have vanished\n", result.charts_gone, result.charts);
+  if (result.distance) out += text::format("  distance to the input: %s\n", figure(*result.distance).c_str());
+  if (!options.verbose) return out;
   for (const auto& stage : result.stages) {
-    std::printf("  %s: %zu to %zu faces, driver %s, %zu passes, plan %.1f ms, execute %.1f ms\n",
-                stage.module.c_str(), stage.faces_before, stage.faces_after,
-                recipe::to_string(stage.driver).c_str(), stage.passes, stage.plan_seconds * 1e3,
-                stage.execute_seconds * 1e3);
-    std::printf(
+    out += text::format("  %s: %zu to %zu faces, driver %s, %zu passes, plan %.1f ms, execute %.1f ms\n",
+                        stage.module.c_str(), stage.faces_before, stage.faces_after,
+                        recipe::to_string(stage.driver).c_str(), stage.passes, stage.plan_seconds * 1e3,
+                        stage.execute_seconds * 1e3);
+    out += text::format(
         "    refused: %zu by the flip guard, %zu by the link condition, %zu by seams, %zu by the driver\n",
         stage.record.refused_by_flip_guard, stage.record.refused_by_link, stage.record.refused_by_seam,
         stage.refused_by_decimater);
   }
-  if (result.held > 0) std::printf("  %zu vertices locked\n", result.held);
+  if (result.held > 0) out += text::format("  %zu vertices locked\n", result.held);
   if (result.held_by_bound > 0)
-    std::printf("  %zu vertices kept in place for the bound's sake\n", result.held_by_bound);
+    out += text::format("  %zu vertices kept in place for the bound's sake\n", result.held_by_bound);
+  return out;
 }
 
 /// Line v holds the vertex of the result that vertex v of the input became; both count from 0.
-void write_map(const std::string& path, const recipe::Result& result) {
+std::string map_text(const recipe::Result& result) {
   std::string text;
   for (const std::uint32_t v : result.vertex_map) text += std::to_string(v) + "\n";
-  files::write_file(path, text);
+  return text;
 }
 
 void warn(const Options& options, const recipe::Result& result, const files::WriteReport& written) {
@@ -149,23 +154,28 @@ int simplify(const Options& options) {
   format.ascii = options.ascii;
   format.format = options.format;
   files::check_writable(options.out, format);
-  check_json_target(options.json);
-  if (!options.map.empty()) files::check_creatable(options.map);
-  const bool stdout_is_taken = options.json == "-" || options.out == "-";
-  if (options.json == "-" && options.out == "-")
-    throw recipe::RecipeError("--json - and the mesh cannot both go to standard output");
+  files::Outputs outputs;
+  outputs.reads("IN", options.in);
+  read_selections(options, outputs);
+  outputs.add("OUT", options.out, "IN");
+  outputs.add("--map", options.map);
+  outputs.add("--json", options.json);
 
   const files::MeshFile in = files::read_mesh(options.in, read_options(options));
   if (!options.quiet) print_notes(options.in, in.report);
   const recipe::Result result = recipe::run(in.mesh, recipe, {}, make_givens(options, in));
 
   format.single_precision = in.single_precision;
-  const files::WriteReport written = files::write_mesh(options.out, result.mesh, format, result.attributes);
-  if (!options.map.empty()) write_map(options.map, result);
-  write_json(options.json, describe(options, recipe, in, result, written));
-  warn(options, result, written);
-  if (!options.quiet && !stdout_is_taken) print(options, in, result);
-  return complain_about_misses(recipe, result);
+  files::Encoded out = files::encode_mesh(options.out, result.mesh, format, result.attributes);
+  outputs.write("OUT", std::move(out.bytes));
+  outputs.write("--map", map_text(result));
+  outputs.write("--json", json_text(describe(options, recipe, in, result, out.report)));
+  outputs.commit();
+  warn(options, result, out.report);
+  int code = complain_about_misses(recipe, result);
+  const bool stdout_is_taken = options.out == "-" || options.map == "-" || options.json == "-";
+  if (!options.quiet && !stdout_is_taken && !print_summary(summary(options, in, result))) code = 1;
+  return code;
 }
 
 }  // namespace
@@ -183,8 +193,9 @@ Command add_simplify(CLI::App& app) {
       ->add_option("--format", options->format, "Write obj, ply, off, stl, om or glb, whatever OUT is called")
       ->type_name("NAME");
   command->add_option("--json", options->json, "Write what was done as JSON to a file, or to stdout for -");
-  command->add_option("--map", options->map,
-                      "Write to a file, a line for each vertex of the input, which vertex it became");
+  command->add_option(
+      "--map", options->map,
+      "Write a line for each vertex of the input, which vertex it became, to a file, or to stdout for -");
   command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");
   auto* quiet = command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->add_flag("--verbose", options->verbose, "Print what each stage did")->excludes(quiet);

@@ -22,6 +22,9 @@ class Descriptor {
 
   int get() const { return number_; }
 
+  /// Gives the number away; it is not closed any more.
+  int release() { return std::exchange(number_, -1); }
+
   /// Closes now; some file systems report a failed write only here.
   /// \return what close() gave
   int close() { return ::close(std::exchange(number_, -1)); }

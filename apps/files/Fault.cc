@@ -1,8 +1,19 @@
 #include "files/Fault.hh"
 
 #include <cctype>
+#include <cerrno>
+
+#include "files/Descriptor.hh"
 
 namespace whittle::files {
+
+void throw_errno() {
+  throw Fault(error_text(errno));
+}
+
+std::string display_name(const std::filesystem::path& path) {
+  return path == "-" ? "standard output" : path.string();
+}
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;

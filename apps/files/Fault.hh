@@ -17,6 +17,12 @@ class Fault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What errno says. \throw Fault
+[[noreturn]] void throw_errno();
+
+/// How messages call a path: "-" is standard output.
+std::string display_name(const std::filesystem::path& path);
+
 /// A piece of the file in quotes, shortened and printable, so that a message stays one line whatever is in
 /// it.
 std::string in_quotes(std::string_view text);
@@ -27,7 +33,7 @@ auto naming(const std::filesystem::path& path, Action action) {
   try {
     return action();
   } catch (const Fault& fault) {
-    throw FileError(path.string() + ": " + fault.what());
+    throw FileError(display_name(path) + ": " + fault.what());
   }
 }
 

@@ -98,6 +98,17 @@ struct WriteReport {
   std::vector<std::string> notes() const;
 };
 
+/// A mesh as the bytes of a file, and what that file could not take.
+struct Encoded {
+  std::string bytes;
+  WriteReport report;
+};
+
+/// The bytes that write_mesh would write, for a run that writes several files (Outputs).
+/// \throw FileError  unknown format, or a mesh that no reader would take back
+Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
+                    const WriteOptions& options = {}, const attributes::Attributes& attributes = {});
+
 /// Writes a mesh whole or not at all: beside the target, flushed, then renamed.
 /// \param path  "-" is standard output, for which options.format must be set; it is written as it is, without
 ///              the guarantee
@@ -112,6 +123,9 @@ struct Level {
   double error = 0;  ///< how far it lies from the first level, in model units
 };
 
+/// The bytes that write_glb_levels would write.
+Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels);
+
 /// Writes levels of detail into one GLB with the extension MSFT_lod, the finest first. read_mesh reads the
 /// first and notes the others.
 /// \throw FileError  as write_mesh; also where there is no level
@@ -125,9 +139,17 @@ void check_writable(const std::filesystem::path& path, const WriteOptions& optio
 void check_creatable(const std::filesystem::path& path);
 
 /// Writes any text or bytes with the same whole-or-nothing guarantee (JSON, Markdown, PNG).
-/// An existing target keeps its permission bits, a symbolic link is followed, and a device or a pipe
-/// (/dev/stdout) is written to as it is, without the guarantee.
+/// An existing target keeps its permission bits and, where that is allowed, its owner; a symbolic link is
+/// followed, and a device or a pipe ("-", /dev/stdout) is written to as it is, without the guarantee.
 /// \throw FileError
 void write_file(const std::filesystem::path& path, const std::string& bytes);
+
+/// Puts a finished file where write_file would have put its bytes; it is gone from where it was.
+/// \throw FileError
+void move_file(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// All bytes of a file or a pipe; devices, of which some have no end, are refused. "-" is standard input.
+/// \throw FileError
+std::string read_file(const std::filesystem::path& path);
 
 }  // namespace whittle::files

@@ -1,5 +1,7 @@
 #include "files/gltf_document.hh"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "files/Fault.hh"
@@ -116,6 +118,26 @@ void check_extensions(const Json& json) {
                   ", which is not supported");
 }
 
+/// tinygltf takes the default where a number is none, or negative, as if nothing were there.
+void check_numbers(const Json& value) {
+  constexpr std::string_view whole[] = {"buffer",     "bufferView", "byteLength", "byteOffset",
+                                        "byteStride", "count",      "mode",       "componentType"};
+  if (value.is_array())
+    for (const Json& one : value) check_numbers(one);
+  if (!value.is_object()) return;
+  for (const auto& [key, held] : value.items()) {
+    const bool is_whole = std::find(std::begin(whole), std::end(whole), key) != std::end(whole);
+    if (is_whole ? !held.is_number_unsigned() : key == "normalized" && !held.is_boolean())
+      throw Fault("its JSON is damaged: wrong '" + key + "'");
+    if (key == "attributes" || (key == "indices" && !held.is_object())) {
+      for (const Json& accessor : held.is_object() ? held : Json::array({held}))
+        if (!accessor.is_number_unsigned()) throw Fault("its JSON is damaged: wrong '" + key + "'");
+    } else {
+      check_numbers(held);
+    }
+  }
+}
+
 std::vector<GltfBuffer> read_buffers(Json& json) {
   std::vector<GltfBuffer> buffers;
   for (Json& object : gltf_objects(json, "buffers")) {
@@ -142,8 +164,11 @@ GltfDocument parse_gltf(std::string_view text, MeshBuilder& builder) {
   document.instances = read_gltf_nodes(json, builder);
 
   Json reduced = {{"asset", {{"version", "2.0"}}}};
-  for (const char* key : {"accessors", "bufferViews", "meshes"})
-    reduced[key] = std::move(gltf_objects(json, key));
+  for (const char* key : {"accessors", "bufferViews", "meshes"}) {
+    Json& objects = gltf_objects(json, key);
+    check_numbers(objects);
+    reduced[key] = std::move(objects);
+  }
   document.json = reduced.dump();
   return document;
 }

@@ -37,11 +37,11 @@ std::string read_all(int file) {
     used += static_cast<std::size_t>(got);
   }
   bytes.resize(used);
-  if (bytes.empty()) throw Fault("the file is empty");
   return bytes;
 }
 
 std::string read_path(const std::filesystem::path& path) {
+  if (path == "-") return read_all(STDIN_FILENO);
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) throw Fault(error_text(errno));
   return read_all(file.get());
@@ -68,14 +68,27 @@ MeshFile read_format(std::string_view bytes, Format format, const ReadOptions& o
 }
 
 MeshFile read_named(const std::filesystem::path& path, const ReadOptions& options, std::size_t& line) {
-  if (path == "-") {
-    const std::string bytes = read_all(STDIN_FILENO);
-    return parse(bytes, likely_format(bytes), options, line);
-  }
   const std::string bytes = read_path(path);
+  if (bytes.empty()) throw Fault("the file is empty");
+  if (path == "-") return parse(bytes, likely_format(bytes), options, line);
   Format format{};
   if (!format_of_content(bytes, format)) format = format_of_extension(path.extension().string());
   return parse(bytes, format, options, line);
+}
+
+/// Runs an action and turns what it throws into a FileError that names the file and, if it is text, the line.
+template <typename Action>
+auto naming_input(const std::filesystem::path& path, const std::size_t& line, Action action) {
+  const std::string name = path == "-" ? "standard input" : path.string();
+  try {
+    return action();
+  } catch (const Fault& fault) {
+    throw FileError(name + (line > 0 ? ":" + std::to_string(line) : "") + ": " + fault.what());
+  } catch (const std::bad_alloc&) {
+    throw FileError(name + ": does not fit in memory");
+  } catch (const std::length_error&) {  // a sparse file can claim any size
+    throw FileError(name + ": does not fit in memory");
+  }
 }
 
 }  // namespace
@@ -88,17 +101,12 @@ MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options
 }
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  const std::string name = path == "-" ? "standard input" : path.string();
   std::size_t line = 0;
-  try {
-    return read_named(path, options, line);
-  } catch (const Fault& fault) {
-    throw FileError(name + (line > 0 ? ":" + std::to_string(line) : "") + ": " + fault.what());
-  } catch (const std::bad_alloc&) {
-    throw FileError(name + ": does not fit in memory");
-  } catch (const std::length_error&) {  // a sparse file can claim any size
-    throw FileError(name + ": does not fit in memory");
-  }
+  return naming_input(path, line, [&] { return read_named(path, options, line); });
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  return naming_input(path, 0, [&] { return read_path(path); });
 }
 
 }  // namespace whittle::files

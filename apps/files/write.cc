@@ -1,14 +1,8 @@
 /// \file
 /// From a mesh to a file.
-#include <unistd.h>
-
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <iostream>
 
 #include "files/Choice.hh"
-#include "files/Descriptor.hh"
 #include "files/Fault.hh"
 #include "files/formats.hh"
 
@@ -24,10 +18,6 @@ Format format_for(const std::filesystem::path& path, const WriteOptions& options
       format_of_extension(options.format.empty() ? path.extension().string() : "." + options.format);
   if (format == Format::gltf) throw Fault(".gltf is only read; glTF is written as .glb");
   return format;
-}
-
-std::string name_of(const std::filesystem::path& path) {
-  return path == "-" ? "standard output" : path.string();
 }
 
 /// A value that is not finite would make a file that few programs read. Scalars may say "none" so.
@@ -87,25 +77,6 @@ void check_mesh(const IndexedMesh& mesh, const attributes::Attributes& attribute
   for (const Attribute& attribute : attributes) check_attribute(mesh, attribute);
 }
 
-/// Never replaced and never flushed to a disk: what is open there may be anything.
-void write_standard_output(const std::string& bytes) {
-  // What was printed before comes first.
-  std::cout.flush();
-  std::fflush(stdout);
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t written = ::write(STDOUT_FILENO, bytes.data() + done, bytes.size() - done);
-    if (written < 0 && errno != EINTR) throw Fault(error_text(errno));
-    if (written > 0) done += static_cast<std::size_t>(written);
-  }
-}
-
-void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
-  if (path == "-")
-    naming(name_of(path), [&] { write_standard_output(bytes); });
-  else
-    write_file(path, bytes);
-}
-
 }  // namespace
 
 std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
@@ -129,36 +100,47 @@ std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& at
   }
 }
 
-WriteReport write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
-                       const WriteOptions& options, const attributes::Attributes& attributes) {
-  WriteReport report;
-  const std::string bytes = naming(name_of(path), [&] {
-    return mesh_bytes(mesh, attributes, options, format_for(path, options), report);
+Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options,
+                    const attributes::Attributes& attributes) {
+  return naming(path, [&] {
+    Encoded encoded;
+    encoded.bytes = mesh_bytes(mesh, attributes, options, format_for(path, options), encoded.report);
+    return encoded;
   });
-  write_bytes(path, bytes);
-  return report;
 }
 
-WriteReport write_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels) {
-  WriteReport report;
-  const std::string bytes = naming(name_of(path), [&] {
+WriteReport write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
+                       const WriteOptions& options, const attributes::Attributes& attributes) {
+  const Encoded encoded = encode_mesh(path, mesh, options, attributes);
+  write_file(path, encoded.bytes);
+  return encoded.report;
+}
+
+Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels) {
+  return naming(path, [&] {
+    Encoded encoded;
     std::vector<attributes::Attributes> finite;
     finite.reserve(levels.size());
     std::vector<LevelView> views;
     for (const Level& level : levels) {
       check_mesh(level.mesh, level.attributes, true);
-      finite.push_back(with_finite_values(level.attributes, report));
+      finite.push_back(with_finite_values(level.attributes, encoded.report));
       views.push_back({&level.mesh, &finite.back(), level.error});
     }
-    return glb_bytes(views, report);
+    encoded.bytes = glb_bytes(views, encoded.report);
+    return encoded;
   });
-  write_bytes(path, bytes);
-  return report;
+}
+
+WriteReport write_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels) {
+  const Encoded encoded = encode_glb_levels(path, levels);
+  write_file(path, encoded.bytes);
+  return encoded.report;
 }
 
 void check_writable(const std::filesystem::path& path, const WriteOptions& options) {
-  naming(name_of(path), [&] { return format_for(path, options); });
-  if (path != "-") check_creatable(path);
+  naming(path, [&] { return format_for(path, options); });
+  check_creatable(path);
 }
 
 }  // namespace whittle::files

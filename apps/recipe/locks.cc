@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
+#include "files/MeshFile.hh"
 #include "measure/sides.hh"
 #include "recipe/Spec.hh"
 #include "whittle/surface/Surface.hh"
@@ -21,8 +21,7 @@ Eigen::Vector3d unit_normal(const IndexedMesh& mesh, std::uint32_t f) {
 }
 
 void select(const std::string& file, std::size_t n_vertices, std::vector<std::uint8_t>& flags) {
-  std::ifstream in(file);
-  if (!in) throw RecipeError(file + ": cannot be read");
+  std::istringstream in(files::read_file(file));
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
@@ -38,7 +37,6 @@ void select(const std::string& file, std::size_t n_vertices, std::vector<std::ui
       flags[v] |= kLocked;
     }
   }
-  if (in.bad()) throw RecipeError(file + ": cannot be read");
 }
 
 }  // namespace

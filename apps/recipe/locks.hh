@@ -17,8 +17,8 @@ struct Lock {
   std::string file;    ///< selection
 
   /// Adds kLocked or kFeature to the flags of the vertices that it means; makes room for all if there are
-  /// none. \throw RecipeError  a selection that cannot be read, or names no vertex of the mesh: file and
-  /// line.
+  /// none. \throw files::FileError  a selection that cannot be read
+  /// \throw RecipeError  one that names no vertex of the mesh: file and line
   void apply(const IndexedMesh& mesh, std::vector<std::uint8_t>& flags) const;
 };
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "text/printable.hh"
+
 namespace whittle::terminal {
 
 std::string duration_text(double seconds) {
@@ -19,8 +21,8 @@ ProgressStyle style_on_stderr(bool quiet) {
 }
 
 void Progress::say(const std::string& what) {
-  if (style_ == ProgressStyle::terminal) out_ << "\r\033[K" << what << std::flush;
-  if (style_ == ProgressStyle::lines) out_ << what << std::endl;
+  if (style_ == ProgressStyle::terminal) out_ << "\r\033[K" << text::printable(what) << std::flush;
+  if (style_ == ProgressStyle::lines) out_ << text::printable(what) << std::endl;
 }
 
 void Progress::expect(std::size_t steps) {

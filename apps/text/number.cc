@@ -1,7 +1,6 @@
 #include "text/number.hh"
 
 #include <charconv>
-#include <cstdio>
 
 namespace whittle::text {
 
@@ -11,9 +10,8 @@ std::string shortest(double value) {
 }
 
 std::string significant(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
+  char text[64];  // not printf: its decimal point is the locale's
+  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
 }
 
 std::string grouped(std::string whole) {
