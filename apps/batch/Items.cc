@@ -72,12 +72,18 @@ class Walk {
     std::error_code error;
     fs::directory_iterator at(folder, error);
     for (; !error && at != fs::directory_iterator(); at.increment(error)) visit(*at);
-    if (error) found_.problems.push_back(folder.string() + ": cannot be listed: " + error.message());
+    if (error) note(folder, error);
+  }
+
+  void note(const fs::path& path, const std::error_code& error) {
+    found_.problems.push_back(path.string() + ": cannot be listed: " + error.message());
   }
 
   void visit(const fs::directory_entry& entry) {
     std::error_code error;
-    if (entry.symlink_status(error).type() == fs::file_type::directory) {
+    const fs::file_type kind = entry.symlink_status(error).type();
+    if (kind == fs::file_type::none || kind == fs::file_type::unknown) return note(entry.path(), error);
+    if (kind == fs::file_type::directory) {
       // What a batch remembers has names of meshes too.
       if (entry.path().filename() != ".whittle" && !fs::equivalent(entry.path(), out_, error))
         waiting_.push_back(entry.path());

@@ -112,8 +112,10 @@ int run_batch(const Options& options) {
   order.jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
   order.limits = {options.time_limit, options.memory_limit};
   order.resume = options.resume;
+  if (order.items.empty())
+    throw batch::BatchError(listing.problems.empty() ? options.source + ": there are no meshes"
+                                                     : listing.problems.front());
   for (const std::string& problem : listing.problems) complain(problem);
-  if (order.items.empty()) throw batch::BatchError(options.source + ": there are no meshes");
 
   catch_interrupts();
   terminal::Progress progress(std::cerr, terminal::style_on_stderr(options.quiet));

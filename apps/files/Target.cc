@@ -115,9 +115,9 @@ Identity identity_of(const fs::path& path, int stream) {
             {},
             S_ISREG(status.st_mode) || S_ISBLK(status.st_mode),
             S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3)};
-  if (path.empty() || path == "-") return {};
+  if (path.empty() || path == "-" || errno != ENOENT) return {};
   const fs::path target = follow_links(path);
-  if (::stat(folder_of(target).c_str(), &status) != 0) return {};
+  if (target.empty() || ::stat(folder_of(target).c_str(), &status) != 0) return {};
   return {status.st_dev, status.st_ino, in_lower_case(target.filename().string()), true, false};
 }
 

@@ -39,7 +39,7 @@ struct Identity {
   bool sink = false;      ///< /dev/null: whatever goes there is not read again
 
   bool same(const Identity& other) const {
-    return device == other.device && number == other.number && name == other.name && !sink;
+    return number != 0 && device == other.device && number == other.number && name == other.name && !sink;
   }
 };
 

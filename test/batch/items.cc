@@ -1,5 +1,10 @@
 #include "batch/Items.hh"
 
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <fstream>
 
 #include "Folder.hh"
@@ -11,6 +16,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+std::vector<Item> items_of(const fs::path& source, const fs::path& out, const std::string& format) {
+  const Listing listing = items_of(source, out, format);
+  CHECK(listing.problems.empty());
+  return listing.items;
+}
+
 void touch(const fs::path& file) {
   fs::create_directories(file.parent_path());
   std::ofstream(file) << "";
@@ -21,22 +32,23 @@ void touch(const fs::path& file) {
 TEST_CASE("a folder gives its meshes and those of the folders in it, in order, without the results") {
   const scratch::Folder folder;
   const fs::path in = folder.path();
-  for (const char* name : {"b.ply", "a.obj", "notes.txt", "deep/er/c.STL", "out/a.obj", "out/x.ply"})
+  for (const char* name : {"b.ply", "a.obj", "notes.txt", "deep/er/c.STL", "out/a.obj", "out/x.ply",
+                           "out/.whittle/claims/y.ply", ".whittle/claims/z.ply"})
     touch(in / name);
-  const auto items = list_items(in, in / "out", "");
+  const auto items = items_of(in, in / "out", "");
   REQUIRE(items.size() == 3);
   CHECK(items[0].in == in / "a.obj");
   CHECK(items[0].out == in / "out/a.obj");
   CHECK(items[1].in == in / "b.ply");
   CHECK(items[2].out == in / "out/deep/er/c.STL");
   CHECK(items[2].name == "deep%2Fer%2Fc.STL");
-  CHECK(list_items(in, in / "out", "glb")[0].out == in / "out/a.glb");
+  CHECK(items_of(in, in / "out", "glb")[0].out == in / "out/a.glb");
 }
 
 TEST_CASE("glTF, which is only read, becomes GLB") {
   const scratch::Folder folder;
   touch(folder.path() / "a.gltf");
-  const auto items = list_items(folder.path(), "out", "");
+  const auto items = items_of(folder.path(), "out", "");
   REQUIRE(items.size() == 1);
   CHECK(items[0].out == "out/a.glb");
 }
@@ -45,11 +57,95 @@ TEST_CASE("a manifest names meshes relative to itself") {
   const scratch::Folder folder;
   const fs::path list = folder.path() / "list.txt";
   std::ofstream(list) << "# two of them\n\nscans/a.ply  \n/data/b.obj\n";
-  const auto items = list_items(list, "out", "");
+  const auto items = items_of(list, "out", "");
   REQUIRE(items.size() == 2);
   CHECK(items[0].in == folder.path() / "scans/a.ply");
   CHECK(items[0].out == "out/a.ply");
   CHECK(items[1].in == "/data/b.obj");
+}
+
+TEST_CASE("a manifest may begin with a byte-order mark and end its lines as others do") {
+  const scratch::Folder folder;
+  std::ofstream(folder.path() / "list") << "\xEF\xBB\xBF"
+                                           "a.ply\r\nb.ply";
+  const auto items = items_of(folder.path() / "list", "out", "");
+  REQUIRE(items.size() == 2);
+  CHECK(items[0].in == folder.path() / "a.ply");
+  CHECK(items[1].in == folder.path() / "b.ply");
+}
+
+TEST_CASE("results may go into the folder that holds the source, or that of the source itself") {
+  const scratch::Folder folder;
+  const fs::path in = folder.path() / "scans";
+  touch(in / "a.ply");
+  touch(in / ".whittle/claims/a.ply");
+  CHECK(items_of(in, folder.path(), "").size() == 1);
+  CHECK(items_of(in, folder.path() / "scans/..", "").size() == 1);
+  CHECK(items_of(in, in, "").size() == 1);
+  CHECK(items_of(in, in / ".", "").size() == 1);
+}
+
+TEST_CASE("folders nested deeper than files may be open are listed whole") {
+  const scratch::Folder folder;
+  fs::path deep = folder.path() / "in";
+  for (int i = 0; i < 40; ++i) touch((deep /= "d") / "a.ply");
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_NOFILE, &before) == 0);
+  rlimit few = before;
+  few.rlim_cur = 16;
+  REQUIRE(setrlimit(RLIMIT_NOFILE, &few) == 0);
+  const Listing listing = list_items(folder.path() / "in", folder.path() / "out", "");
+  setrlimit(RLIMIT_NOFILE, &before);
+  CHECK(listing.problems.empty());
+  CHECK(listing.items.size() == 40);
+}
+
+TEST_CASE("a folder that cannot be listed is told, and the others are listed") {
+  const scratch::Folder folder;
+  touch(folder.path() / "in/closed/a.ply");
+  touch(folder.path() / "in/open/b.ply");
+  fs::permissions(folder.path(), fs::perms::all);
+  fs::permissions(folder.path() / "in/closed", fs::perms::none);
+  const bool is_root = geteuid() == 0;
+  if (is_root) REQUIRE(seteuid(65534) == 0);
+  const Listing listing = list_items(folder.path() / "in", folder.path() / "out", "");
+  if (is_root) REQUIRE(seteuid(0) == 0);
+  fs::permissions(folder.path() / "in/closed", fs::perms::all);
+  CHECK(listing.items.size() == 1);
+  REQUIRE(listing.problems.size() == 1);
+  CHECK_THAT(listing.problems[0], Contains("in/closed: cannot be listed: Permission denied"));
+}
+
+TEST_CASE("a link that leads nowhere is a mesh that will fail, a pipe in a folder is none") {
+  const scratch::Folder folder;
+  touch(folder.path() / "in/a.ply");
+  fs::create_symlink("gone.ply", folder.path() / "in/b.ply");
+  REQUIRE(mkfifo((folder.path() / "in/c.ply").c_str(), 0600) == 0);
+  const auto items = items_of(folder.path() / "in", folder.path() / "out", "");
+  REQUIRE(items.size() == 2);
+  CHECK(items[1].in == folder.path() / "in/b.ply");
+}
+
+TEST_CASE("the name of a long path fits into a file's name and differs from others") {
+  const scratch::Folder folder;
+  const std::string part(100, 'n');
+  for (const char* name : {"a.ply", "b.ply"}) touch(folder.path() / "in" / part / part / part / name);
+  const auto items = items_of(folder.path() / "in", folder.path() / "out", "");
+  REQUIRE(items.size() == 2);
+  CHECK(items[0].name != items[1].name);
+  CHECK(items[0].name.size() <= 120);
+}
+
+TEST_CASE("a result that would replace another input is refused, one that replaces its own is not") {
+  const scratch::Folder folder;
+  const fs::path at = folder.path();
+  touch(at / "in/a.ply");
+  touch(at / "in/in/a.ply");
+  CHECK_THROWS_WITH(list_items(at / "in", at, ""), Contains("would replace the input"));
+  fs::create_symlink("a.ply", at / "in/in/link.ply");
+  CHECK_THROWS_WITH(list_items(at / "in/in", at / "in/in", ""), Contains("would replace the input"));
+  fs::remove(at / "in/in/link.ply");
+  CHECK(items_of(at / "in/in", at / "in/in", "").size() == 1);
 }
 
 TEST_CASE("a bad folder or manifest is refused in one line that names it") {

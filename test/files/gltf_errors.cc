@@ -24,6 +24,18 @@ TEST_CASE("glTF: accessors and views out of bounds are refused") {
   CHECK(error_of([](Json& j) { j["accessors"][0]["byteOffset"] = 4; }) == beyond);
   CHECK(error_of([](Json& j) { j["accessors"][0]["byteOffset"] = 18446744073709551615U; }) == beyond);
   CHECK(error_of([](Json& j) { j["bufferViews"][0]["byteLength"] = 47; }) == beyond);
+  for (const char* list : {"accessors", "bufferViews"})
+    for (const Json& wrong : {Json(-4), Json(1.5), Json("0"), Json(nullptr)}) {
+      INFO(list << " " << wrong);
+      CHECK(error_of([&](Json& j) { j[list][0]["byteOffset"] = wrong; }) ==
+            "a.gltf: its JSON is damaged: wrong 'byteOffset'");
+    }
+  CHECK(error_of([](Json& j) { j["accessors"][0]["normalized"] = 1; }) ==
+        "a.gltf: its JSON is damaged: wrong 'normalized'");
+  CHECK(error_of([](Json& j) { j["meshes"][0]["primitives"][0]["mode"] = -4; }) ==
+        "a.gltf: its JSON is damaged: wrong 'mode'");
+  CHECK(error_of([](Json& j) { j["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = -1; }) ==
+        "a.gltf: its JSON is damaged: wrong 'attributes'");
   CHECK(error_of([](Json& j) { j["bufferViews"][0]["byteStride"] = 16; }) == beyond);
   CHECK(error_of([](Json& j) { j["bufferViews"][0]["byteStride"] = 4; }) ==
         "a.gltf: values that lie closer than they are long");

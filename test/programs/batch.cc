@@ -78,16 +78,6 @@ TEST_CASE("batch resumes: what is done stays as it is, what has changed is done 
   CHECK_THAT(scans.run({"--resume", "--module", "ss"}).out, Contains("4 done;"));
 }
 
-TEST_CASE("batch skips a mesh that another process has claimed") {
-  const Scans scans;
-  fs::create_directories(scans.out() / ".whittle/claims");
-  std::ofstream(scans.out() / ".whittle/claims/a.ply") << "elsewhere-1\n";
-  const auto done = scans.run({"--quiet"});
-  CHECK_FALSE(fs::exists(scans.out() / "a.ply"));
-  CHECK(fs::exists(scans.out() / "b.obj"));
-  CHECK_THAT(scans.run({"--resume"}).out, Contains("1 in work elsewhere"));
-}
-
 TEST_CASE("several batches on one folder share the work: each mesh is done once") {
   const Scans scans;
   fs::remove(scans.path() / "bad.obj");

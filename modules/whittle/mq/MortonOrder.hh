@@ -16,6 +16,9 @@ namespace whittle::mq {
 /// Vertices along a Morton curve, faces by the first of their vertices. Input meshes come in any order; an
 /// algorithm that visits edges by cost has fewer cache misses when a one-ring lies together in memory.
 struct MortonOrder {
+  /// A bounding box no larger than this counts as a point: its reciprocal comes near the largest double.
+  static constexpr double kLeastExtent = 1e-300;
+
   std::vector<std::uint32_t> vertex;                    ///< new index to old
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in new indices
   std::vector<std::uint32_t> face;                      ///< new index to old; empty unless asked for
@@ -47,7 +50,7 @@ MortonOrder::MortonOrder(const IndexedMeshT<Real>& mesh, bool with_faces)
   low = least.template cast<double>();
   high = most.template cast<double>();
   const double extent = (high - low).maxCoeff();
-  const double cells = extent > 0 ? 1023 / extent : 0;
+  const double cells = extent > kLeastExtent ? 1023 / extent : 0;
 
   // A radix sort, ten bits at a time, of keys with the code above the vertex.
   std::vector<std::uint64_t> keys(n), sorted(n);

@@ -91,9 +91,14 @@ SurfaceExtras checked(const IndexedMeshT<Real>& mesh, SurfaceExtras extras) {
   if (n_faces > Fans::kMostTriangles)
     throw InvalidMesh("it has more than " + std::to_string(Fans::kMostTriangles) + " triangles");
   extras.flags.resize(n_vertices, 0);
-  for (std::size_t v = 0; v < n_vertices; ++v)
+  constexpr double kLargest = 1e100;  // its square is far from the largest double
+  for (std::size_t v = 0; v < n_vertices; ++v) {
     if (!mesh.points[v].allFinite())
       throw InvalidMesh("vertex " + std::to_string(v) + " has a coordinate that is not finite");
+    if (static_cast<double>(mesh.points[v].cwiseAbs().maxCoeff()) > kLargest)
+      throw InvalidMesh("vertex " + std::to_string(v) +
+                        " has a coordinate beyond 1e100, where areas overflow: scale the mesh down");
+  }
   for (std::size_t v = 0; v < extras.tolerance.size(); ++v) {
     const float tolerance = extras.tolerance[v];
     if (!(tolerance >= 0 && std::isfinite(tolerance)))
@@ -128,7 +133,7 @@ class SurfaceT {
 
   /// \param mesh       every index must be in range.
   /// \param n_threads  for the build of the rings; the surface is the same for any number.
-  /// \throw InvalidMesh  an index out of range, a coordinate that is not finite.
+  /// \throw InvalidMesh  an index out of range, a coordinate that is not finite or beyond 1e100.
   /// \throw InvalidParameter  extras of another size than the mesh, a tolerance that is negative or not
   /// finite.
   explicit SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras = {}, std::size_t n_threads = 1);

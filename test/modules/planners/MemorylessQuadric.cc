@@ -217,3 +217,14 @@ TEST_CASE("mq refuses a guard out of range") {
   planner.guard.min_cos = 1;
   CHECK_THROWS_AS(planner.validate(), InvalidParameter);
 }
+
+TEST_CASE("mq makes only finite coordinates, however small or large the mesh is") {
+  for (const double scale : {5e-324, 1e-310, 4e-309, 1e-300, 1e-150, 1.0, 1e60, 1e99}) {
+    INFO(scale);
+    IndexedMesh mesh = meshes::torus(16, 10);
+    for (auto& p : mesh.points) p *= scale;
+    const auto out = bulk(down_to(160), mesh);
+    for (const auto& p : out.mesh.points) REQUIRE(p.allFinite());
+    if (scale > 1e-299) CHECK(out.mesh.triangles.size() == 160);
+  }
+}

@@ -170,6 +170,13 @@ TEST_CASE("a broken mesh is refused by name") {
     mesh.points[3][2] = std::numeric_limits<double>::quiet_NaN();
     CHECK_THROWS_WITH(Surface(mesh), "vertex 3 has a coordinate that is not finite");
   }
+  SECTION("beyond 1e100") {
+    mesh.points[1][0] = -1e100;
+    CHECK_NOTHROW(Surface(mesh));
+    mesh.points[2][1] = -1.001e100;
+    CHECK_THROWS_WITH(Surface(mesh),
+                      "vertex 2 has a coordinate beyond 1e100, where areas overflow: scale the mesh down");
+  }
   SECTION("infinite") {
     mesh.points[0][0] = std::numeric_limits<double>::infinity();
     CHECK_THROWS_AS(Surface(mesh), InvalidMesh);
