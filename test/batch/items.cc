@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::vector<Item> items_of(const fs::path& source, const fs::path& out, const std::string& format) {
-  const Listing listing = items_of(source, out, format);
+  const Listing listing = list_items(source, out, format);
   CHECK(listing.problems.empty());
   return listing.items;
 }
