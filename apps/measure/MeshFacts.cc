@@ -68,7 +68,7 @@ void add_connections(const IndexedMesh& mesh, MeshFacts& facts) {
     return (vertex == s.low) == rises(mesh.triangles, s) ? s.corner : next_corner(s.corner);
   };
 
-  double length_sum = 0, shortest = std::numeric_limits<double>::max();
+  double length_sum = 0, shortest = std::numeric_limits<double>::infinity();
   std::size_t boundary_joins = 0;
   std::vector<bool> on_boundary(mesh.points.size(), false);
   for_each_edge(sides, [&](const Side* begin, const Side* end) {
