@@ -39,7 +39,8 @@ inline Mesh connected(MortonOrder order, detail::Crew& crew) {
   mesh.input = std::move(order.vertex);
   mesh.holds.resize(mesh.input.size(), kFree);
   mesh.center = (order.low + order.high) / 2;
-  if ((order.high - order.low).maxCoeff() > MortonOrder::kLeastExtent) mesh.scale = (order.high - order.low).maxCoeff();
+  if ((order.high - order.low).maxCoeff() > MortonOrder::kLeastExtent)
+    mesh.scale = (order.high - order.low).maxCoeff();
   mesh.table = CornerTable(order.triangles, mesh.input.size(), crew);
   for (std::uint32_t v = 0; v < mesh.input.size(); ++v)
     if (mesh.table.first(v) == kNoCorner)
