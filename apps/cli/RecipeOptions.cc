@@ -69,6 +69,10 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
           "No point of either surface may lie farther than this from the other; kept for every module")
       ->type_name("LENGTH");
   command
+      .add_option("--samples", options.samples, "Sample points on each surface where a distance is measured")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
+      ->capture_default_str();
+  command
       .add_option("--lock", options.locks,
                   "Keep vertices in place: boundary; feature:DEGREES, at edges sharper than that; "
                   "selection:FILE, a text file of vertex numbers from 0. May be given several times")
@@ -105,6 +109,7 @@ recipe::Recipe make_recipe(const RecipeOptions& options) {
           "--module is required where neither --ratio, --faces, --vertices nor --max-distance is given");
     recipe.modules.push_back(recipe::default_module());
   }
+  recipe.samples = options.samples;
   recipe.driver = recipe::parse_driver(options.driver);
   recipe.delaunay = options.delaunay;
   recipe::check(recipe);

@@ -10,6 +10,7 @@
 
 #include "files/MeshFile.hh"
 #include "files/Outputs.hh"
+#include "measure/Distance.hh"
 #include "recipe/Recipe.hh"
 
 namespace whittle::cli {
@@ -18,6 +19,7 @@ struct RecipeOptions {
   std::vector<std::string> modules, locks;
   std::optional<double> ratio, delaunay;
   std::optional<std::size_t> faces, vertices;
+  std::size_t samples = measure::DistanceOptions().samples;
   std::string max_distance, weights, driver = "auto", repair = "report";
 };
 

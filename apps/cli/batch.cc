@@ -62,6 +62,7 @@ std::vector<std::string> simplify_arguments(const Options& options) {
   add_number("--vertices", options.vertices);
   add_number("--delaunay", options.delaunay);
   add("--max-distance", options.max_distance);
+  add("--samples", std::to_string(options.samples));
   add("--weights", options.weights);
   add("--driver", options.driver);
   add("--repair", options.repair);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Options : RecipeOptions {
   std::string in, out, json;
-  std::size_t levels = 5, samples = measure::DistanceOptions().samples;
+  std::size_t levels = 5;
   double step = 0.5;
   bool ascii = false, quiet = false;
 };
@@ -221,9 +221,6 @@ Command add_lods(CLI::App& app) {
                    "so on. Default: beside the model, NAME-lods.glb for glTF")
       ->type_name("NAME");
   add_recipe_options(*command, *options, false);
-  command->add_option("--samples", options->samples, "Sample points on each surface for the errors")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
-      ->capture_default_str();
   command->add_option("--json", options->json, "Write what was done as JSON to a file, or to stdout for -");
   command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
