@@ -198,8 +198,8 @@ TEST_CASE("the two sides of a slit stay apart, and meet at its ends") {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& p = result.mesh.points[result.mesh.triangles[f][k]];
       if (std::abs(p.x() - 6) > 1e-4 || p.y() < 2.5 || p.y() > 9.5) continue;
-      across[result.mesh.triangles[f][k]].insert(
-          uv_at(result.attributes[0], result.attributes[0].corners[f][k])[0]);
+      const auto uv = uv_at(result.attributes[0], result.attributes[0].corners[f][k]);
+      across[result.mesh.triangles[f][k]].insert(static_cast<float>(uv[0]));
     }
   std::size_t open = 0, ends = 0;
   for (const auto& [v, values] : across) {
