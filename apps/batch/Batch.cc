@@ -123,7 +123,10 @@ class Run {
   bool try_begin(Candidate& one, Outcome& outcome) {
     const Item& item = order_.items[one.item];
     outcome.status = Outcome::Status::skipped;
-    if (order_.resume && memory_.knows(item, outcome)) return false;
+    if (order_.resume && memory_.knows(item, outcome)) {
+      clear_away(one, item);
+      return false;
+    }
     std::optional<Claim> claim = one.bid.take();
     if (!claim && !one.bid.owner_lives()) {
       waiting_.push_back(std::move(one));
@@ -146,6 +149,17 @@ class Run {
     std::string stamp = memory_.input_stamp(item);
     running_.push_back({one.item, std::move(*claim), std::move(stamp), Child(command, order_.limits)});
     return true;
+  }
+
+  /// Removes what an owner leaves that died between the result and the end of its claim, where that can be done.
+  void clear_away(Candidate& one, const Item& item) {
+    try {
+      if (!std::filesystem::exists(memory_.claim(item))) return;
+      const std::optional<Claim> claim = one.bid.take();
+      if (claim && !claim->previous_owner().empty()) memory_.forget_work(item, claim->previous_owner());
+    } catch (const std::filesystem::filesystem_error&) {  // as in a folder that cannot be written to
+      return;
+    }
   }
 
   void look_at_waiting() {

@@ -166,16 +166,22 @@ TEST_CASE("batch leaves a mesh to another process that lives, and takes that of 
     CHECK_THAT(done.out, Contains("1 in work elsewhere;"));
     CHECK_FALSE(fs::exists(batch.at() / "out/a.ply"));
   }
-  const pid_t process = ::fork();
-  REQUIRE(process >= 0);
-  if (process == 0) {
-    const auto claim = batch::Bid(batch.at() / "out/.whittle/claims/a.ply").take();
-    ::_exit(claim ? 0 : 1);
-  }
-  int status = -1;
-  REQUIRE(::waitpid(process, &status, 0) == process);
-  REQUIRE(status == 0);
+  const auto claim_and_die = [&] {
+    const pid_t process = ::fork();
+    REQUIRE(process >= 0);
+    if (process == 0) {
+      const auto claim = batch::Bid(batch.at() / "out/.whittle/claims/a.ply").take();
+      ::_exit(claim ? 0 : 1);
+    }
+    int status = -1;
+    REQUIRE(::waitpid(process, &status, 0) == process);
+    REQUIRE(status == 0);
+  };
+  claim_and_die();
   CHECK_THAT(batch.run("in", "out", {"--resume"}).out, Contains("1 done;"));
+  claim_and_die();  // between the result and the end of the claim
+  CHECK_THAT(batch.run("in", "out", {"--resume"}).out, Contains("1 done before;"));
+  CHECK(fs::is_empty(batch.at() / "out/.whittle/claims"));
 }
 
 TEST_CASE("a batch that is hung up or killed leaves no child, and one that is hung up no claim") {
