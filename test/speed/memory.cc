@@ -19,6 +19,13 @@ std::int64_t size_of(void* block) {
   return static_cast<std::int64_t>(malloc_usable_size(block));
 }
 
+/// A block that the compiler does not leave out.
+std::unique_ptr<char[]> block() {
+  auto made = std::make_unique<char[]>(100000);
+  asm volatile("" : : "r"(made.get()) : "memory");
+  return made;
+}
+
 struct alignas(64) Line {
   char bytes[64];
 };
@@ -48,13 +55,13 @@ TEST_CASE("the memory count's peak is of blocks alive at once, and can be restar
   {
     MemoryCount count;
     {
-      const auto a = std::make_unique<char[]>(100000);
+      const auto a = block();
       first = size_of(a.get());
     }
-    { const auto b = std::make_unique<char[]>(100000); }
+    { const auto b = block(); }
     one_after_the_other = count.peak();
-    const auto c = std::make_unique<char[]>(100000);
-    { const auto d = std::make_unique<char[]>(100000); }
+    const auto c = block();
+    { const auto d = block(); }
     both = count.peak();
     count.restart_peak();
     restarted = count.peak();
