@@ -1,15 +1,15 @@
 #include "attributes/transfer.hh"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "attributes/Sampler.hh"
 #include "attributes/SeamTransfer.hh"
 #include "attributes/Stars.hh"
+#include "whittle/plan/Patches.hh"
 
 namespace whittle::attributes {
 namespace {
@@ -49,15 +49,13 @@ class Transfer {
   void begin_corners() {
     corners_.resize(d_.after.triangles.size());
     after_ = Stars(d_.after);
+    patches_.emplace(d_.before.triangles, in_.corners, d_.before.points.size());
   }
 
   void carry_corners(std::uint32_t w) {
     known_.clear();
     const std::uint32_t* same = unchanged(w);
-    if (!same) {
-      faces_ = stars_.around(members_.of(w));
-      split_at_seams();
-    }
+    if (!same) patches_->gather(members_.of(w));
     for (const std::uint32_t g : after_.of(w)) {
       const Triangle& t = d_.after.triangles[g];
       const std::uint32_t value = same ? kept(*same, d_.face_origin[g]) : merged(w, d_.face_origin[g]);
@@ -78,46 +76,15 @@ class Transfer {
 
   /// The value that a face of the result has at `w`, where the face was `origin` before.
   std::uint32_t merged(std::uint32_t w, std::uint32_t origin) {
-    const auto place = std::lower_bound(faces_.begin(), faces_.end(), origin) - faces_.begin();
-    const std::uint32_t patch = root(static_cast<std::uint32_t>(place));
+    const std::uint32_t patch = patches_->patch(patches_->place(origin));
     const auto [found, is_new] = known_.emplace(patch, sampler_.n_values());
     if (is_new) {
-      patch_.clear();
-      for (std::uint32_t i = 0; i < faces_.size(); ++i)
-        if (root(i) == patch) patch_.push_back(faces_[i]);
-      sampler_.interpolate(d_.after.points[w], patch_);
+      faces_.clear();
+      for (std::uint32_t i = 0; i < patches_->faces().size(); ++i)
+        if (patches_->patch(i) == patch) faces_.push_back(patches_->faces()[i]);
+      sampler_.interpolate(d_.after.points[w], faces_);
     }
     return found->second;
-  }
-
-  std::uint32_t root(std::uint32_t i) const {
-    while (patch_of_[i] != i) i = patch_of_[i];
-    return i;
-  }
-
-  /// Joins those of `faces_` that share an edge at whose ends they agree.
-  void split_at_seams() {
-    patch_of_.resize(faces_.size());
-    std::iota(patch_of_.begin(), patch_of_.end(), 0u);
-    edges_.clear();
-    for (std::uint32_t i = 0; i < faces_.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t f = faces_[i];
-        const Triangle& t = d_.before.triangles[f];
-        std::uint32_t a = t[k], b = t[(k + 1) % 3];
-        std::uint32_t at_a = in_.at(d_.before, f, k), at_b = in_.at(d_.before, f, (k + 1) % 3);
-        if (b < a) {
-          std::swap(a, b);
-          std::swap(at_a, at_b);
-        }
-        edges_.push_back({{a, b, at_a, at_b}, i});
-      }
-    std::sort(edges_.begin(), edges_.end());
-    for (std::size_t e = 1; e < edges_.size(); ++e) {
-      if (edges_[e].first != edges_[e - 1].first) continue;
-      const std::uint32_t a = root(edges_[e - 1].second), b = root(edges_[e].second);
-      patch_of_[std::max(a, b)] = std::min(a, b);
-    }
   }
 
   const Attribute& in_;
@@ -127,10 +94,8 @@ class Transfer {
   Sampler sampler_;
   Stars after_;
   std::vector<Triangle> corners_;
-  std::vector<std::uint32_t> faces_;     // around the vertices that became the current one, ascending
-  std::vector<std::uint32_t> patch_of_;  // union-find over them
-  std::vector<std::uint32_t> patch_;
-  std::vector<std::pair<std::array<std::uint32_t, 4>, std::uint32_t>> edges_;
+  std::optional<detail::Patches> patches_;        // of an attribute of corners
+  std::vector<std::uint32_t> faces_;              // where the current value comes from, ascending
   std::map<std::uint32_t, std::uint32_t> known_;  // new values at the current vertex, by old value or patch
 };
 

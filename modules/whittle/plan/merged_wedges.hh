@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -57,11 +56,6 @@ class WedgeMerger {
   }
 
  private:
-  /// A face at an edge after: the vertices, and its numbers there.
-  struct Side {
-    std::uint32_t low, high, at_low, at_high;
-  };
-
   /// Numbers the corners at `w` by `key(face before, its corner there)`.
   template <typename Key>
   void number_by(std::uint32_t w, Key key) {
@@ -100,18 +94,13 @@ class WedgeMerger {
   }
 
   void join() {
-    std::vector<Side> sides;
+    std::vector<WedgedEdge> sides;  // with the numbers as wedges
     for (std::size_t f = 0; f < merged_.after.size(); ++f)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t l = (k + 1) % 3;
-        const auto &t = merged_.after[f], &n = out_[f];
-        if (!may_join_[t[k]] && !may_join_[t[l]]) continue;
-        sides.push_back(t[k] < t[l] ? Side{t[k], t[l], n[k], n[l]} : Side{t[l], t[k], n[l], n[k]});
-      }
+      for (std::size_t k = 0; k < 3; ++k)
+        if (may_join_[merged_.after[f][k]] || may_join_[merged_.after[f][(k + 1) % 3]])
+          sides.emplace_back(merged_.after[f], out_[f], k);
     if (sides.empty()) return;
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-      return std::tie(a.low, a.high, a.at_low, a.at_high) < std::tie(b.low, b.high, b.at_low, b.at_high);
-    });
+    std::sort(sides.begin(), sides.end());
     UnionFind joined(n_numbers_);
     const auto join_at = [&](std::uint32_t w, std::uint32_t a, std::uint32_t b) {
       a = joined.root(a);
@@ -121,8 +110,8 @@ class WedgeMerger {
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
       for (std::size_t i = 1; i < sides.size(); ++i) {
-        const Side &a = sides[i - 1], &b = sides[i];
-        if (a.low != b.low || a.high != b.high) continue;
+        const WedgedEdge &a = sides[i - 1], &b = sides[i];
+        if (!a.same_vertices(b)) continue;
         const bool low = joined.root(a.at_low) == joined.root(b.at_low),
                    high = joined.root(a.at_high) == joined.root(b.at_high);
         if (low && !high) goes_on |= join_at(a.high, a.at_high, b.at_high);

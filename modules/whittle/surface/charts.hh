@@ -6,9 +6,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "whittle/surface/UnionFind.hh"
+#include "whittle/surface/seams.hh"
 
 namespace whittle {
 
@@ -22,28 +24,14 @@ struct Charts {
 /// \param wedges  as SurfaceExtras has them, for each triangle
 inline Charts charts(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                      const std::vector<std::array<std::uint32_t, 3>>& wedges) {
-  struct Side {
-    std::uint32_t low, high, at_low, at_high, face;
-    bool same_edge(const Side& o) const {
-      return low == o.low && high == o.high && at_low == o.at_low && at_high == o.at_high;
-    }
-  };
-  std::vector<Side> sides;
+  std::vector<std::pair<detail::WedgedEdge, std::uint32_t>> sides;  // with their faces
   sides.reserve(3 * triangles.size());
   for (std::uint32_t f = 0; f < triangles.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t l = (k + 1) % 3;
-      const auto& t = triangles[f];
-      const auto& w = wedges[f];
-      sides.push_back(t[k] < t[l] ? Side{t[k], t[l], w[k], w[l], f} : Side{t[l], t[k], w[l], w[k], f});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::array{a.low, a.high, a.at_low, a.at_high, a.face} <
-           std::array{b.low, b.high, b.at_low, b.at_high, b.face};
-  });
+    for (std::size_t k = 0; k < 3; ++k) sides.emplace_back(detail::WedgedEdge(triangles[f], wedges[f], k), f);
+  std::sort(sides.begin(), sides.end());
   detail::UnionFind pieces(triangles.size());
   for (std::size_t i = 1; i < sides.size(); ++i)
-    if (sides[i].same_edge(sides[i - 1])) pieces.join(sides[i].face, sides[i - 1].face);
+    if (sides[i].first == sides[i - 1].first) pieces.join(sides[i].second, sides[i - 1].second);
 
   Charts charts;
   charts.of_face.resize(triangles.size());
