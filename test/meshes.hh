@@ -148,6 +148,31 @@ inline IndexedMesh torus(std::uint32_t n, std::uint32_t m) {
   return mesh;
 }
 
+/// A mesh times a factor, and moved.
+inline IndexedMesh placed(IndexedMesh mesh, double scale, const Point& at) {
+  for (Point& p : mesh.points) p = scale * p + at;
+  return mesh;
+}
+
+/// Several meshes as one, one after the other.
+inline IndexedMesh together(const std::vector<IndexedMesh>& parts) {
+  IndexedMesh mesh;
+  for (const IndexedMesh& part : parts) {
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), part.points.begin(), part.points.end());
+    for (const auto& t : part.triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  return mesh;
+}
+
+/// A torus with `n` octahedra far from each other around it, a hundredth of its size: 8 faces each.
+inline IndexedMesh dusty_torus(std::size_t n) {
+  std::vector<IndexedMesh> parts = {torus(48, 28)};
+  for (std::size_t i = 0; i < n; ++i)
+    parts.push_back(placed(octahedron(), 0.01, {2.0 + 0.1 * static_cast<double>(i), 0, 2}));
+  return together(parts);
+}
+
 /// The mesh with every coordinate moved by up to `amount`, the same way for the same seed.
 inline IndexedMesh shaken(IndexedMesh mesh, double amount, unsigned seed) {
   std::mt19937 random(seed);

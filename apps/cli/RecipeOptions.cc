@@ -65,6 +65,16 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
   if (with_target) add_target(command, options);
   command
       .add_option(
+          "--pieces", options.pieces,
+          "Which pieces, parts that share no vertex, may vanish as a whole: keep, none; by-error, those that "
+          "cost less than what else would have to go; LENGTH, those with a smaller bounding box")
+      ->type_name("RULE")
+      ->capture_default_str();
+  command.add_flag(
+      "--force", options.force,
+      "Go on to the target where small pieces or locked vertices hold so much that the rest is ruined");
+  command
+      .add_option(
           "--max-distance", options.max_distance,
           "No point of either surface may lie farther than this from the other; kept for every module")
       ->type_name("LENGTH");
@@ -103,6 +113,12 @@ recipe::Recipe make_recipe(const RecipeOptions& options) {
     } catch (const recipe::RecipeError& error) {
       throw recipe::RecipeError(std::string("--max-distance: ") + error.what());
     }
+  try {
+    recipe.pieces = recipe::parse_pieces(options.pieces);
+  } catch (const recipe::RecipeError& error) {
+    throw recipe::RecipeError(std::string("--pieces: ") + error.what());
+  }
+  recipe.force = options.force;
   if (recipe.modules.empty()) {
     if (!recipe.target.any() && !recipe.max_distance)
       throw recipe::RecipeError(

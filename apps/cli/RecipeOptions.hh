@@ -20,7 +20,8 @@ struct RecipeOptions {
   std::optional<double> ratio, delaunay;
   std::optional<std::size_t> faces, vertices;
   std::size_t samples = measure::DistanceOptions().samples;
-  std::string max_distance, weights, driver = "auto", repair = "report";
+  std::string max_distance, weights, driver = "auto", repair = "report", pieces = "keep";
+  bool force = false;
 };
 
 /// Adds all of them; `with_target` leaves out or adds --ratio, --faces and --vertices.

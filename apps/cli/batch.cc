@@ -66,6 +66,8 @@ std::vector<std::string> simplify_arguments(const Options& options) {
   add("--weights", options.weights);
   add("--driver", options.driver);
   add("--repair", options.repair);
+  add("--pieces", options.pieces);
+  if (options.force) out.emplace_back("--force");
   if (options.ascii) out.emplace_back("--ascii");
   return out;
 }

@@ -56,6 +56,7 @@ std::vector<Choice> choices() {
   return {{"--module", modules()},
           {"--driver", drivers()},
           {"--repair", {"none", "report", "fix"}},
+          {"--pieces", {"keep", "by-error"}},
           {"--lock", {"boundary", "feature:", "selection:"}},
           {"--format", {"obj", "ply", "off", "stl", "om", "glb"}}};
 }

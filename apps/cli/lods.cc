@@ -89,7 +89,7 @@ recipe::Recipe recipe_for(const Options& options, std::size_t faces) {
 std::vector<Level> make_levels(const Options& options, const files::MeshFile& in) {
   const recipe::Givens givens = make_givens(options, in);
   const bool plan_once = options.modules.empty() && options.max_distance.empty() && !options.delaunay &&
-                         options.driver == "auto";
+                         options.driver == "auto" && options.pieces == "keep" && !options.force;
   std::optional<recipe::Progression> progression;
   if (plan_once) progression.emplace(in.mesh, givens);
   std::vector<Level> levels;
@@ -196,7 +196,8 @@ int lods(Options options) {
   for (const Level& level : levels)
     if (!level.target_reached()) {
       complain("a level has " + std::to_string(level.result.mesh.triangles.size()) + " faces where " +
-               std::to_string(level.wanted) + " were wanted; no further collapse is allowed");
+               std::to_string(level.wanted) + " were wanted; " +
+               why_missed(recipe_for(options, level.wanted), level.result));
       return 1;
     }
   return code;

@@ -38,6 +38,15 @@ void print_notes(const std::string& path, const files::ReadReport& report) {
   for (const std::string& note : report.notes()) complain(path + ": " + note);
 }
 
+std::string why_missed(const recipe::Recipe& recipe, const recipe::Result& result) {
+  std::string why;
+  for (const std::string& reason : recipe::reasons(recipe, result)) why += (why.empty() ? "" : "; ") + reason;
+  if (!result.attainable.is_higher) return why;
+  const bool pieces_would_go =
+      result.attainable.small > 0 && recipe.pieces.what != recipe::PieceRule::What::by_error;
+  return why + (pieces_would_go ? "; --pieces by-error lets pieces go" : "") + "; --force goes on";
+}
+
 std::string figure(double value) {
   return std::isfinite(value) ? text::significant(value, 6) : "too large";
 }

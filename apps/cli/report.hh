@@ -28,6 +28,9 @@ void print_notes(const std::string& path, const files::ReadReport& report);
 /// A line on stderr in the program's name, whatever the message holds.
 void complain(const std::string& message);
 
+/// Why a target was missed, and what would help.
+std::string why_missed(const recipe::Recipe& recipe, const recipe::Result& result);
+
 /// A figure with six digits; in words where it is beyond what a number can be.
 std::string figure(double value);
 

@@ -23,6 +23,18 @@ Json target_json(const Options& options) {
   return nullptr;
 }
 
+/// Where the run stopped so as not to ruin what is free.
+Json raised_json(const recipe::Result& result) {
+  const Attainable& attainable = result.attainable;
+  if (!attainable.is_higher) return nullptr;
+  const bool by_faces = attainable.target.faces > 0;
+  return {{by_faces ? "faces" : "vertices", by_faces ? attainable.target.faces : attainable.target.vertices},
+          {"faces_that_cannot_vanish", attainable.minimum},
+          {"pieces", attainable.pieces},
+          {"small_pieces", attainable.small},
+          {"vertices_held", attainable.held}};
+}
+
 Json bound_json(const recipe::Recipe& recipe, const IndexedMesh& in, const recipe::Result& result) {
   if (!recipe.max_distance) return nullptr;
   const recipe::Scale scale = recipe::measure_scale(in);
@@ -71,11 +83,16 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
           {"locks", options.locks},
           {"vertices_locked", result.held},
           {"charts", {{"before", result.charts}, {"gone", result.charts_gone}}},
+          {"pieces",
+           {{"rule", recipe.pieces.text()},
+            {"gone", result.pieces_gone},
+            {"faces_gone", result.faces_of_pieces_gone}}},
           {"weights", options.weights.empty() ? Json(nullptr) : Json(options.weights)},
           {"stages", stages},
           {"delaunay", delaunay_json(options, result)},
           {"target", target_json(options)},
           {"target_reached", result.target_reached},
+          {"target_raised", raised_json(result)},
           {"target_missed_because", recipe::reasons(recipe, result)},
           {"max_distance", bound_json(recipe, in.mesh, result)},
           {"flipped_faces", result.flipped_faces},
@@ -95,6 +112,10 @@ std::string summary(const Options& options, const files::MeshFile& in, const rec
   if (result.charts_gone > 0)
     out +=
         text::format("  %zu of %zu charts of the texture have vanished\n", result.charts_gone, result.charts);
+  if (result.pieces_gone > 0)
+    out +=
+        text::format("  %zu of %zu pieces have vanished, with %zu faces of the input\n", result.pieces_gone,
+                     result.pieces_gone + result.attainable.pieces, result.faces_of_pieces_gone);
   if (result.distance) out += text::format("  distance to the input: %s\n", figure(*result.distance).c_str());
   if (!options.verbose) return out;
   for (const auto& stage : result.stages) {
@@ -113,10 +134,12 @@ std::string summary(const Options& options, const files::MeshFile& in, const rec
   return out;
 }
 
-/// Line v holds the vertex of the result that vertex v of the input became; both count from 0.
+/// Line v holds the vertex of the result that vertex v of the input became, -1 where its piece has vanished; both count
+/// from 0.
 std::string map_text(const recipe::Result& result) {
   std::string text;
-  for (const std::uint32_t v : result.vertex_map) text += std::to_string(v) + "\n";
+  for (const std::uint32_t v : result.vertex_map)
+    text += (v == recipe::Result::kNoVertex ? "-1" : std::to_string(v)) + "\n";
   return text;
 }
 
@@ -138,11 +161,8 @@ int complain_about_misses(const recipe::Recipe& recipe, const recipe::Result& re
     code = 1;
   }
   if (!result.target_reached) {
-    std::string why;
-    for (const std::string& reason : recipe::reasons(recipe, result))
-      why += (why.empty() ? "" : "; ") + reason;
     complain("the target was not reached: " + std::to_string(result.mesh.triangles.size()) + " faces and " +
-             std::to_string(result.mesh.points.size()) + " vertices are left; " + why);
+             std::to_string(result.mesh.points.size()) + " vertices are left; " + why_missed(recipe, result));
     code = 1;
   }
   return code;

@@ -13,25 +13,29 @@ Recipe down_to_nothing() {
   Recipe recipe;
   recipe.modules = {default_module()};
   recipe.target.faces = 1;
+  recipe.force = true;
   return recipe;
 }
 
 }  // namespace
 
 Progression::Progression(const IndexedMesh& mesh, const Givens& givens, const Monitor& monitor)
-    : mesh_(mesh), attributes_(givens.attributes), least_(mesh.triangles.size()) {
+    : mesh_(mesh), attributes_(givens.attributes), flags_(givens.flags), least_(mesh.triangles.size()) {
   Stopwatch watch;
   plan_ = plan(mesh, down_to_nothing(), monitor, givens);
   plan_seconds_ = watch.lap();
+  pieces_ = pieces_of(mesh);
   for (const Collapse& collapse : plan_.collapses) least_ -= collapse.faces;
 }
 
 Result Progression::at(std::size_t faces) const {
   Stopwatch watch;
-  std::size_t left = mesh_.triangles.size(), n = 0;
-  while (n < plan_.collapses.size() && left > faces) left -= plan_.collapses[n++].faces;
-  auto executed = execute(plan_, mesh_, n);
   Result result;
+  result.attainable = attainable(mesh_, pieces_, {}, flags_, kLocked | kFeature, {faces, 0});
+  std::size_t left = mesh_.triangles.size(), n = 0;
+  while (n < plan_.collapses.size() && left > result.attainable.target.faces)
+    left -= plan_.collapses[n++].faces;
+  auto executed = execute(plan_, mesh_, n);
   result.flipped_faces = count_flips(mesh_, executed.mesh, executed.face_origin);
   if (attributes_)
     result.attributes =

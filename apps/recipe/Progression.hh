@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "recipe/Recipe.hh"
 #include "whittle/plan/CollapsePlan.hh"
+#include "whittle/surface/pieces.hh"
 
 namespace whittle::recipe {
 
@@ -20,12 +23,15 @@ class Progression {
   std::size_t most_faces() const { return mesh_.triangles.size(); }
   std::size_t least_faces() const { return least_; }
 
-  /// The finest level of at most so many faces, or the coarsest that there is.
+  /// The finest level of at most so many faces; where that would ruin what is free, as Recipe::force says, a finer one;
+  /// or the coarsest that there is.
   Result at(std::size_t faces) const;
 
  private:
   const IndexedMesh& mesh_;
   const attributes::Attributes* attributes_;
+  std::vector<std::uint8_t> flags_;
+  Pieces pieces_;
   CollapsePlan plan_;
   std::size_t least_;
   double plan_seconds_ = 0;

@@ -1,6 +1,7 @@
 #include "recipe/Recipe.hh"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "recipe/Stage.hh"
 #include "recipe/flips.hh"
 #include "recipe/openmesh.hh"
+#include "recipe/pieces.hh"
 #include "whittle/surface/charts.hh"
 #include "whittle/surface/errors.hh"
 
@@ -54,14 +56,9 @@ SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& s
   return extras;
 }
 
-bool all_move_seams(const std::vector<Stage>& stages) {
-  return std::all_of(stages.begin(), stages.end(),
-                     [](const Stage& stage) { return find_module(stage.module.name).moves_seams; });
-}
-
 std::size_t count_held(const Task& task) {
   const SurfaceExtras& extras = task.extras;
-  const unsigned holds = all_move_seams(task.stages) ? kLocked | kFeature : kLocked | kFeature | kSeam;
+  const unsigned holds = flags_that_hold(task.stages);
   std::size_t held = 0;
   for (std::size_t v = 0; v < std::max(extras.flags.size(), extras.tolerance.size()); ++v)
     held += (v < extras.flags.size() && (extras.flags[v] & holds) != 0) ||
@@ -176,6 +173,20 @@ std::string to_string(Driver driver) {
       ->name;
 }
 
+std::string PieceRule::text() const {
+  return what == What::keep ? "keep" : what == What::by_error ? "by-error" : length.text();
+}
+
+PieceRule parse_pieces(const std::string& text) {
+  if (text == "keep") return {};
+  if (text == "by-error") return {PieceRule::What::by_error, {}};
+  if (text.empty() || std::isalpha(static_cast<unsigned char>(text[0])))
+    throw RecipeError("'" + text + "' is no rule for pieces; there are keep, by-error and a length");
+  const PieceRule rule{PieceRule::What::below, parse_length(text)};
+  if (rule.length.amount <= 0) throw RecipeError("the length must be above 0");
+  return rule;
+}
+
 Scale measure_scale(const IndexedMesh& mesh) {
   Scale scale;
   scale.mean_edge = mean_edge(mesh);
@@ -194,29 +205,39 @@ void check(const Recipe& recipe) {
   for (const Stage& stage : stages_of(recipe)) check_stage(stage, recipe.target.any() || recipe.max_distance);
   if (recipe.target.ratio && !(*recipe.target.ratio > 0 && *recipe.target.ratio < 1))
     throw RecipeError("the ratio must lie between 0 and 1, both ends excluded");
+  if (recipe.pieces.what == PieceRule::What::by_error && !recipe.target.any())
+    throw RecipeError(
+        "pieces vanish by error on the way to a target only; give one, or a length for the pieces");
   if (recipe.delaunay && !(*recipe.delaunay >= 0 && *recipe.delaunay <= 180))
     throw RecipeError("the angle of the Delaunay retriangulation must lie between 0 and 180 degrees");
 }
 
 Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
-  const Task task = make_task(mesh, recipe, monitor, givens);
+  Task task = make_task(mesh, recipe, monitor, givens);
+  const TargetCount target = task.target;
+  const std::size_t held = count_held(task);
+  const PieceChoice pieces = choose_pieces(recipe, task);
   std::optional<double> bound;
   if (recipe.max_distance) bound = recipe.max_distance->in(task.scale);
   Result result = bound ? run_bounded(task, *bound) : run_stages(task);
-  result.held = count_held(task);
+  result.held = held;
+  result.attainable = pieces.attainable;
   count_charts(task, result);
   result.flipped_faces = count_flips(mesh, result.mesh, result.face_origin);
   if (givens.attributes)
     result.attributes =
         attributes::transfer(*givens.attributes, {mesh, result.mesh, result.vertex_map, result.face_origin});
+  remove_pieces(mesh, pieces, result);
   if (recipe.delaunay) retriangulate_result(mesh, recipe, bound, result);
-  result.target_reached = !task.target.any() || task.is_target_met(result.mesh);
+  result.target_reached =
+      !target.any() || target.is_met(result.mesh.triangles.size(), result.mesh.points.size());
   return result;
 }
 
 CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor,
                   const Givens& givens) {
-  const Task task = make_task(mesh, recipe, monitor, givens);
+  Task task = make_task(mesh, recipe, monitor, givens);
+  choose_pieces(recipe, task);
   Stage stage = task.stages.front();
   if (!stage.is_planned() || task.is_target_met(mesh)) return {{}, {0}, {}};
   find_threshold(task, stage, mesh, task.extras);

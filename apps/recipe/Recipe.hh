@@ -18,6 +18,7 @@
 #include "recipe/Spec.hh"
 #include "whittle/DelaunayFlips.hh"
 #include "whittle/plan/CollapsePlan.hh"
+#include "whittle/plan/attainable.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
 
@@ -47,6 +48,23 @@ struct Target {
   bool any() const { return ratio || faces || vertices; }
 };
 
+/// Which pieces of a mesh, parts that share no vertex, may vanish as a whole. The largest always stays, and
+/// so do those with a vertex that is locked.
+struct PieceRule {
+  enum class What {
+    keep,      ///< none
+    by_error,  ///< those that cost less than what else would have to go to reach the target
+    below      ///< those whose bounding box has a diagonal below `length`
+  };
+  What what = What::keep;
+  Length length = {};
+
+  std::string text() const;  ///< "keep", "by-error", or the length
+};
+
+/// \throw RecipeError  neither a rule nor a length above 0
+PieceRule parse_pieces(const std::string& text);
+
 /// What is done to a mesh. The modules make stages that run one after the other: each module that decimates
 /// begins one, and stock binary modules constrain the one before them.
 struct Recipe {
@@ -59,6 +77,10 @@ struct Recipe {
   std::size_t samples =
       measure::DistanceOptions().samples;  ///< for that bound, on each side, besides the vertices
   Driver driver = Driver::automatic;
+  PieceRule pieces;
+  /// Go on to the target where what cannot vanish, small pieces and held vertices, leaves the rest less than half of its
+  /// share. Otherwise the run stops where the rest has its share.
+  bool force = false;
   /// Retriangulate the result by Delaunay flips of edges no sharper than so many degrees, 0..180 (Paper 1,
   /// the end of every algorithm). Without a value: leave it.
   std::optional<double> delaunay;
@@ -80,7 +102,8 @@ struct StageResult {
 /// The mesh that a recipe leaves, where its parts come from, and how that went. After a retriangulation faces
 /// are no longer those of the input, and `face_origin` is empty.
 struct Result : Decimated {
-  attributes::Attributes attributes;  ///< of `mesh`, where some were given
+  static constexpr std::uint32_t kNoVertex = 0xffffffffu;  ///< in `vertex_map`: its piece has vanished
+  attributes::Attributes attributes;                       ///< of `mesh`, where some were given
   std::vector<StageResult> stages;
   std::optional<double> distance;  ///< largest distance to the input, model units, where there was a bound
   bool bound_held = true;          ///< false: faces that OpenMesh could not take are missing, and lie too far
@@ -88,7 +111,10 @@ struct Result : Decimated {
   std::size_t held = 0;            ///< input vertices that the givens keep in place
   std::size_t charts = 0;          ///< of the input's texture coordinates; 0 where there are no seams
   std::size_t charts_gone = 0;     ///< of those, how many have no face left
-  bool stopped_by_bound = false;   ///< going on would have broken the bound
+  std::size_t pieces_gone = 0, faces_of_pieces_gone = 0;
+  Attainable attainable;  ///< the target that was gone to; raised where the one given would have ruined
+                          ///< what is free
+  bool stopped_by_bound = false;         ///< going on would have broken the bound
   bool retriangulation_dropped = false;  ///< it would have broken the bound
   DelaunayFlipsReport delaunay;          ///< of the retriangulation, if there was one
   std::size_t flipped_faces = 0;  ///< faces turned by more than 90 degrees against their own original normal,
@@ -126,7 +152,7 @@ class Cancelled : public std::exception {
 /// Finds what `run` would object to, without a mesh.
 /// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a module, neither
 ///                     threshold nor target nor bound, a ratio outside of (0, 1), an angle outside of
-///                     [0, 180].
+///                     [0, 180], pieces by error without a target.
 void check(const Recipe& recipe);
 
 /// Runs a recipe. The input is not changed. A target without a threshold makes the stage search for the

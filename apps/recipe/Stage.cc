@@ -1,5 +1,7 @@
 #include "recipe/Stage.hh"
 
+#include <algorithm>
+
 namespace whittle::recipe {
 namespace {
 
@@ -42,6 +44,13 @@ std::vector<Stage> stages_of(const Recipe& recipe) {
                       ", could go to");
   for (Stage& stage : stages) stage.driver = choose_driver(recipe.driver, stage);
   return stages;
+}
+
+std::uint8_t flags_that_hold(const std::vector<Stage>& stages) {
+  const bool all_move_seams = std::all_of(stages.begin(), stages.end(), [](const Stage& stage) {
+    return find_module(stage.module.name).moves_seams;
+  });
+  return static_cast<std::uint8_t>(kLocked | kFeature | (all_move_seams ? 0 : kSeam));
 }
 
 }  // namespace whittle::recipe

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct Stage {
 
 /// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a stage.
 std::vector<Stage> stages_of(const Recipe& recipe);
+
+/// The flags that keep a vertex in place for all of the stages: kSeam too, where one of them cannot move seams.
+std::uint8_t flags_that_hold(const std::vector<Stage>& stages);
 
 /// A recipe applied to a mesh: what its stages share.
 struct Task {

@@ -7,6 +7,11 @@ std::vector<std::string> reasons(const Recipe& recipe, const Result& result) {
   std::vector<std::string> why;
   if (result.target_reached) return why;
   if (result.stopped_by_bound) why.push_back("the bound on the distance allows no more");
+  if (result.attainable.is_higher)
+    why.push_back("what cannot vanish has at least " + std::to_string(result.attainable.minimum) +
+                  " faces, and the rest was left its share of the target");
+  if (result.attainable.is_higher && result.attainable.small > 0)
+    why.push_back(std::to_string(result.attainable.small) + " small pieces keep four faces each");
   PlanRecord record;
   for (const StageResult& stage : result.stages) record += stage.record;
   for (const Stage& stage : stages_of(recipe))

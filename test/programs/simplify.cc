@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "Process.hh"
@@ -203,4 +204,34 @@ TEST_CASE("whittle answers --help and --version on stdout with exit 0") {
     CHECK(done.err.empty());
   }
   CHECK_THAT(simplify({"--help"}).out, Contains("ivdd:distance=0.0011"));
+}
+
+TEST_CASE("small pieces stay without crushing the rest, or vanish when asked") {
+  const programs::Folder folder;
+  const std::string in = folder / "dusty.ply", out = folder / "out.ply", map = folder / "map.txt";
+  files::write_mesh(in, meshes::dusty_torus(60));  // 2,688 and 480 faces
+  const auto kept = simplify({in, out, "--ratio", "0.05"});
+  CHECK(kept.code == 1);
+  CHECK_THAT(kept.err, Contains("60 small pieces keep four faces each") &&
+                           Contains("--pieces by-error lets pieces go") && Contains("--force goes on"));
+  const std::size_t faces = files::read_mesh(out).mesh.triangles.size();
+  CHECK(faces > 370);
+  CHECK(faces <= 387);  // 240, and the share of the others
+
+  const auto forced = simplify({in, out, "--ratio", "0.05", "--force"});
+  CHECK(forced.code == 1);
+  CHECK(files::read_mesh(out).mesh.triangles.size() < 300);
+
+  const auto let_go = simplify({in, out, "--ratio", "0.05", "--pieces", "by-error", "--map", map});
+  CHECK(let_go.code == 0);
+  CHECK_THAT(let_go.out, Contains("60 of 61 pieces have vanished, with 480 faces of the input"));
+  CHECK(measure::facts(files::read_mesh(out).mesh).components == 1);
+  const std::string lines = files::read_file(map);
+  CHECK(std::count(lines.begin(), lines.end(), '-') == 360);
+
+  CHECK(simplify({in, out, "--module", "fad", "--pieces", "1%"}).code == 0);
+  CHECK(measure::facts(files::read_mesh(out).mesh).components == 1);
+  for (const std::string rule : {"some", "0", "-1", "3x"})
+    CHECK(simplify({in, out, "--ratio", "0.5", "--pieces", rule}).code == 2);
+  CHECK(simplify({in, out, "--module", "fad", "--pieces", "by-error"}).code == 2);
 }

@@ -30,6 +30,14 @@ class BucketQueue {
     return bits >> 21;  // 8 bits of exponent, 2 of mantissa
   }
 
+  /// The least cost in a bucket.
+  static float cost_of(std::size_t bucket) {
+    const auto bits = static_cast<std::uint32_t>(bucket << 21);
+    float cost = 0;
+    std::memcpy(&cost, &bits, sizeof cost);
+    return cost;
+  }
+
   /// An item for a bucket that has been passed goes to the current one.
   void push(std::uint32_t item, std::size_t bucket) {
     buckets_[bucket < at_ ? at_ : bucket < kBuckets ? bucket : kBuckets - 1].push_back(item);

@@ -42,7 +42,10 @@ class Run {
   Run& operator=(const Run&) = delete;
 
   /// Collapses until at most so many faces or at most so many vertices are left.
-  void run(std::size_t target_faces, std::size_t target_vertices);
+  /// \param costs  takes what each collapse has cost, to a quarter of an octave; lengths count in units of `scale`
+  void run(std::size_t target_faces, std::size_t target_vertices, std::vector<float>* costs = nullptr);
+
+  double scale() const { return mesh_.scale; }  ///< in model units
 
   CollapsePlan take() { return std::move(plan_); }
 
@@ -50,6 +53,7 @@ class Run {
   void queue_all();
   void gather_strays();
   void append(std::size_t begin, std::size_t end);
+  void append(const Part::Done& done);
   std::size_t next_bucket() const;
   std::size_t n_queued(std::size_t bucket) const;
   std::size_t step_end(std::size_t begin) const;
@@ -62,6 +66,7 @@ class Run {
   Goal goal_;
   double faces_per_edge_ = 2;  // that vanished in the last step, for each edge that was queued for it
   CollapsePlan plan_;
+  std::vector<float>* costs_ = nullptr;
 };
 
 /// Makes the parts and queues all edges.
@@ -82,16 +87,20 @@ inline void Run::gather_strays() {
   }
 }
 
+inline void Run::append(const Part::Done& done) {
+  plan_.collapses.push_back(done.collapse);
+  goal_.count(done.collapse);
+  if (costs_) costs_->push_back(BucketQueue::cost_of(done.bucket));
+}
+
 /// Puts into the plan what the parts have done in a step, bucket by bucket, until the goal is reached.
 inline void Run::append(std::size_t begin, std::size_t end) {
   std::vector<std::size_t> read(parts_.size(), 0);
   for (std::size_t bucket = begin; bucket < end; ++bucket)
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const auto& done = parts_[i].done;
-      for (; read[i] < done.size() && done[read[i]].bucket == bucket && goal_.remaining() > 0; ++read[i]) {
-        plan_.collapses.push_back(done[read[i]].collapse);
-        goal_.count(done[read[i]].collapse);
-      }
+      for (; read[i] < done.size() && done[read[i]].bucket == bucket && goal_.remaining() > 0; ++read[i])
+        append(done[read[i]]);
     }
   for (Part& part : parts_) part.done.clear();
 }
@@ -123,7 +132,8 @@ inline std::size_t Run::step_end(std::size_t begin) const {
   return end;
 }
 
-inline void Run::run(std::size_t target_faces, std::size_t target_vertices) {
+inline void Run::run(std::size_t target_faces, std::size_t target_vertices, std::vector<float>* costs) {
+  costs_ = costs;
   const auto over = [](std::size_t n, std::size_t target) { return n > target ? n - target : 0; };
   goal_.faces = over(n_faces_, target_faces);
   goal_.vertices = over(n_vertices_, target_vertices);
@@ -145,10 +155,7 @@ inline void Run::run(std::size_t target_faces, std::size_t target_vertices) {
     gather_strays();
     append(begin, end);
     across_.work(end, goal_);
-    for (const auto& done : across_.done) {
-      plan_.collapses.push_back(done.collapse);
-      goal_.count(done.collapse);
-    }
+    for (const auto& done : across_.done) append(done);
     across_.done.clear();
     faces_per_edge_ =
         std::max(0.125, static_cast<double>(remaining - goal_.remaining()) / static_cast<double>(queued));
