@@ -1,5 +1,8 @@
 #include "cli/RecipeOptions.hh"
 
+#include <algorithm>
+#include <cmath>
+
 #include "recipe/Catalogue.hh"
 #include "recipe/locks.hh"
 
@@ -39,14 +42,20 @@ std::vector<float> tolerances(const std::string& name, const files::MeshFile& in
   for (const auto& attribute : in.attributes) {
     if (attribute.kind != attributes::Kind::scalar) continue;
     known += (known.empty() ? "" : ", ") + attribute.name;
-    if (attribute.name != name || !attribute.per_vertex()) continue;
-    for (std::size_t v = 0; v < attribute.n_values(); ++v) {
-      const float weight = *attribute.value(v);
+    if (attribute.name != name) continue;
+    // Where vertices of the file have become one, the most important of them counts.
+    std::vector<float> weights(in.mesh.points.size(), 0);
+    const auto take = [&](std::size_t v, std::uint32_t value) {
+      const float weight = *attribute.value(value);
       if (!(weight >= 0))
         throw recipe::RecipeError("--weights " + name + ": vertex " + std::to_string(v) +
                                   " has a weight that is negative or not a number");
-      out.push_back(std::min(kFree, 1 / weight));
-    }
+      weights[v] = std::max(weights[v], weight);
+    };
+    for (std::uint32_t v = 0; attribute.per_vertex() && v < weights.size(); ++v) take(v, v);
+    for (std::size_t f = 0; !attribute.per_vertex() && f < in.mesh.triangles.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) take(in.mesh.triangles[f][k], attribute.corners[f][k]);
+    for (const float weight : weights) out.push_back(std::min(kFree, 1 / weight));
     return out;
   }
   throw recipe::RecipeError("--weights: the mesh has no vertex property '" + name + "'; " +
@@ -102,6 +111,18 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
       .add_option("--repair", options.repair, "What to do about damage: none, report (say it), fix (mend it)")
       ->check(CLI::IsMember({"none", "report", "fix"}))
       ->capture_default_str();
+  command
+      .add_option("--weld", options.weld,
+                  "Join vertices no farther than this from each other, model units; at most 1 % of the "
+                  "diagonal. Equal ones are joined in any case")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            double length = 0;
+            const bool good = CLI::detail::lexical_cast(text, length) && length > 0 && std::isfinite(length);
+            return good ? std::string() : "must be a positive length in model units, not '" + text + "'";
+          },
+          ""))
+      ->type_name("LENGTH");
 }
 
 recipe::Recipe make_recipe(const RecipeOptions& options) {
@@ -150,12 +171,14 @@ files::ReadOptions read_options(const RecipeOptions& options) {
   read.repair = options.repair == "none"  ? files::Repair::none
                 : options.repair == "fix" ? files::Repair::fix
                                           : files::Repair::report;
+  read.weld = options.weld;
   return read;
 }
 
 recipe::Givens make_givens(const RecipeOptions& options, const files::MeshFile& in) {
   recipe::Givens givens;
-  for (const std::string& text : options.locks) recipe::parse_lock(text).apply(in.mesh, givens.flags);
+  for (const std::string& text : options.locks)
+    recipe::parse_lock(text).apply(in.mesh, in.vertex_of, givens.flags);
   if (!options.weights.empty()) givens.tolerance = tolerances(options.weights, in);
   givens.attributes = &in.attributes;
   return givens;

@@ -20,6 +20,7 @@ struct RecipeOptions {
   std::optional<double> ratio, delaunay;
   std::optional<std::size_t> faces, vertices;
   std::size_t samples = measure::DistanceOptions().samples;
+  double weld = 0;
   std::string max_distance, weights, driver = "auto", repair = "report", pieces = "keep";
   bool force = false;
 };

@@ -16,6 +16,7 @@
 #include "cli/report.hh"
 #include "terminal/Progress.hh"
 #include "text/format.hh"
+#include "text/number.hh"
 #include "text/printable.hh"
 
 namespace whittle::cli {
@@ -66,6 +67,7 @@ std::vector<std::string> simplify_arguments(const Options& options) {
   add("--weights", options.weights);
   add("--driver", options.driver);
   add("--repair", options.repair);
+  if (options.weld > 0) add("--weld", text::shortest(options.weld));
   add("--pieces", options.pieces);
   if (options.force) out.emplace_back("--force");
   if (options.ascii) out.emplace_back("--ascii");

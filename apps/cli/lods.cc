@@ -167,6 +167,7 @@ std::vector<std::string> write(const Options& options, const files::MeshFile& in
   files::WriteOptions format;
   format.ascii = options.ascii;
   format.single_precision = in.single_precision;
+  format.texture_at_vertices = in.texture_at_vertices;
   files::Encoded model = files::encode_mesh(file_of(options.out, 0), in.mesh, format, in.attributes);
   outputs.write(role_of(0), std::move(model.bytes));
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -197,7 +198,7 @@ int lods(Options options) {
     if (!level.target_reached()) {
       complain("a level has " + std::to_string(level.result.mesh.triangles.size()) + " faces where " +
                std::to_string(level.wanted) + " were wanted; " +
-               why_missed(recipe_for(options, level.wanted), level.result));
+               why_missed(recipe_for(options, level.wanted), in.report, level.result));
       return 1;
     }
   return code;

@@ -38,9 +38,32 @@ void print_notes(const std::string& path, const files::ReadReport& report) {
   for (const std::string& note : report.notes()) complain(path + ": " + note);
 }
 
-std::string why_missed(const recipe::Recipe& recipe, const recipe::Result& result) {
+std::vector<std::string> missed_because(const recipe::Recipe& recipe, const files::ReadReport& read,
+                                        const recipe::Result& result) {
+  std::vector<std::string> why = recipe::reasons(recipe, result);
+  if (why.empty()) return why;
+  const auto count = [](std::size_t n) { return std::to_string(n); };
+  if (read.lone_faces > 0)
+    why.push_back(count(read.lone_faces) +
+                  " faces share no edge with another: --weld LENGTH joins neighbours");
+  if (read.repair == files::Repair::fix) return why;
+  if (read.duplicate_faces > 0)
+    why.push_back(count(read.duplicate_faces) +
+                  " faces lie on the vertices of others: --repair fix leaves them out");
+  else if (read.nonmanifold_edges + read.nonmanifold_vertices > 0)
+    why.push_back(count(read.nonmanifold_edges) + " edges and " + count(read.nonmanifold_vertices) +
+                  " vertices are not manifold: --repair fix mends them");
+  if (read.edges_left_open > 0)
+    why.push_back(count(read.edges_left_open) +
+                  " edges are open between faces of opposite orientation: --repair fix turns them");
+  return why;
+}
+
+std::string why_missed(const recipe::Recipe& recipe, const files::ReadReport& read,
+                       const recipe::Result& result) {
   std::string why;
-  for (const std::string& reason : recipe::reasons(recipe, result)) why += (why.empty() ? "" : "; ") + reason;
+  for (const std::string& reason : missed_because(recipe, read, result))
+    why += (why.empty() ? "" : "; ") + reason;
   if (!result.attainable.is_higher) return why;
   const bool pieces_would_go =
       result.attainable.small > 0 && recipe.pieces.what != recipe::PieceRule::What::by_error;

@@ -78,6 +78,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
            {{"file", options.out},
             {"vertices", result.mesh.points.size()},
             {"faces", result.mesh.triangles.size()},
+            {"vertices_doubled", written.doubled_vertices},
             {"attributes_left_out", written.left_out},
             {"reduced", written.reduced}}},
           {"locks", options.locks},
@@ -93,7 +94,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
           {"target", target_json(options)},
           {"target_reached", result.target_reached},
           {"target_raised", raised_json(result)},
-          {"target_missed_because", recipe::reasons(recipe, result)},
+          {"target_missed_because", missed_because(recipe, in.report, result)},
           {"max_distance", bound_json(recipe, in.mesh, result)},
           {"flipped_faces", result.flipped_faces},
           {"nonmanifold_faces_dropped", result.refused_faces}};
@@ -134,12 +135,21 @@ std::string summary(const Options& options, const files::MeshFile& in, const rec
   return out;
 }
 
-/// Line v holds the vertex of the result that vertex v of the input became, -1 where its piece has vanished; both count
-/// from 0.
-std::string map_text(const recipe::Result& result) {
+/// Line v holds the vertex of OUT that vertex v of IN became; both count from 0, as the files have them. -1: its piece
+/// has vanished, or it was of no face and the repair has left it out.
+std::string map_text(const files::MeshFile& in, const recipe::Result& result,
+                     const files::WriteReport& written) {
   std::string text;
-  for (const std::uint32_t v : result.vertex_map)
-    text += (v == recipe::Result::kNoVertex ? "-1" : std::to_string(v)) + "\n";
+  const auto add = [&](std::uint32_t w) {
+    if (w == recipe::Result::kNoVertex)
+      text += "-1\n";
+    else
+      text += std::to_string(written.first_vertex.empty() ? w : written.first_vertex[w]) + "\n";
+  };
+  if (in.vertex_of.empty())
+    for (const std::uint32_t w : result.vertex_map) add(w);
+  for (const std::uint32_t v : in.vertex_of)
+    add(v == files::MeshFile::left_out ? recipe::Result::kNoVertex : result.vertex_map[v]);
   return text;
 }
 
@@ -153,7 +163,8 @@ void warn(const Options& options, const recipe::Result& result, const files::Wri
     complain("the Delaunay retriangulation would break the bound on the distance and was left out");
 }
 
-int complain_about_misses(const recipe::Recipe& recipe, const recipe::Result& result) {
+int complain_about_misses(const recipe::Recipe& recipe, const files::MeshFile& in,
+                          const recipe::Result& result) {
   int code = 0;
   if (!result.bound_held) {
     complain("the bound on the distance could not be kept: " + figure(*result.distance) +
@@ -162,7 +173,8 @@ int complain_about_misses(const recipe::Recipe& recipe, const recipe::Result& re
   }
   if (!result.target_reached) {
     complain("the target was not reached: " + std::to_string(result.mesh.triangles.size()) + " faces and " +
-             std::to_string(result.mesh.points.size()) + " vertices are left; " + why_missed(recipe, result));
+             std::to_string(result.mesh.points.size()) + " vertices are left; " +
+             why_missed(recipe, in.report, result));
     code = 1;
   }
   return code;
@@ -186,13 +198,14 @@ int simplify(const Options& options) {
   const recipe::Result result = recipe::run(in.mesh, recipe, {}, make_givens(options, in));
 
   format.single_precision = in.single_precision;
+  format.texture_at_vertices = in.texture_at_vertices;
   files::Encoded out = files::encode_mesh(options.out, result.mesh, format, result.attributes);
   outputs.write("OUT", std::move(out.bytes));
-  outputs.write("--map", map_text(result));
+  outputs.write("--map", map_text(in, result, out.report));
   outputs.write("--json", json_text(describe(options, recipe, in, result, out.report)));
   outputs.commit();
   warn(options, result, out.report);
-  int code = complain_about_misses(recipe, result);
+  int code = complain_about_misses(recipe, in, result);
   const bool stdout_is_taken = options.out == "-" || options.map == "-" || options.json == "-";
   if (!options.quiet && !stdout_is_taken && !print_summary(summary(options, in, result))) code = 1;
   return code;

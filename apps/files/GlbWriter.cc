@@ -8,7 +8,6 @@
 
 #include "files/Fault.hh"
 #include "files/bytes.hh"
-#include "files/settle.hh"
 
 namespace whittle::files {
 namespace {
@@ -18,18 +17,6 @@ using attributes::Kind;
 
 int to_int(std::size_t number) {
   return static_cast<int>(number);
-}
-
-/// The components of an attribute for every vertex.
-std::vector<float> gathered(const Attribute& attribute, const Split& vertices) {
-  std::vector<float> values;
-  values.reserve(attribute.components * vertices.vertex.size());
-  for (std::size_t i = 0; i < vertices.vertex.size(); ++i) {
-    const std::uint32_t value = vertices.value(attribute, i);
-    for (std::size_t k = 0; k < attribute.components; ++k)
-      values.push_back(value == Split::none ? default_component(attribute.kind) : attribute.value(value)[k]);
-  }
-  return values;
 }
 
 /// glTF wants unit length; what is so within the precision of a file keeps its bits.
@@ -66,17 +53,18 @@ int GlbWriter::add_mesh(const IndexedMesh& mesh, const Choice& choice) {
   for (const Attribute* attribute : {choice.normal, choice.colour, choice.texture})
     if (attribute != nullptr) all.push_back(attribute);
   const Split vertices = split(mesh, all);
+  if (model_.meshes.empty()) report_.first_vertex = first_of_each(vertices, mesh);
 
   tinygltf::Primitive part;
   part.mode = mesh.triangles.empty() ? TINYGLTF_MODE_POINTS : TINYGLTF_MODE_TRIANGLES;
   part.attributes["POSITION"] = add_positions(mesh, vertices);
   if (choice.normal) {
-    Numbers normals = gathered(*choice.normal, vertices);
+    Numbers normals = values_at(vertices, *choice.normal);
     normalize(normals);
     part.attributes["NORMAL"] = add_floats(normals, TINYGLTF_TYPE_VEC3);
   }
   if (choice.texture) {
-    Numbers texture = gathered(*choice.texture, vertices);
+    Numbers texture = values_at(vertices, *choice.texture);
     if (!choice.texture->downwards)
       for (std::size_t i = 1; i < texture.size(); i += 2) texture[i] = 1.0F - texture[i];
     part.attributes["TEXCOORD_0"] = add_floats(texture, TINYGLTF_TYPE_VEC2);
@@ -88,7 +76,7 @@ int GlbWriter::add_mesh(const IndexedMesh& mesh, const Choice& choice) {
       leave_out(report_, to_string(*scalar));
       continue;
     }
-    Numbers values = gathered(*scalar, vertices);
+    Numbers values = values_at(vertices, *scalar);
     for (float& value : values) {
       if (std::isfinite(value)) continue;
       value = 0;
@@ -172,7 +160,7 @@ int GlbWriter::add_positions(const IndexedMesh& mesh, const Split& vertices) {
 /// Bytes stay bytes. Three of them need a gap, since every value must begin at a multiple of four.
 int GlbWriter::add_colours(const Attribute& colour, const Split& vertices) {
   const int type = colour.components == 4 ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3;
-  const Numbers values = gathered(colour, vertices);
+  const Numbers values = values_at(vertices, colour);
   if (!colour.bytes) return add_floats(values, type);
   const int view = begin_view(TINYGLTF_TARGET_ARRAY_BUFFER, 4);
   std::vector<unsigned char>& data = model_.buffers[0].data;

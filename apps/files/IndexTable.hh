@@ -38,13 +38,21 @@ class Hash {
 /// several times the file.
 class IndexTable {
  public:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// The index of what is equal, or `none`.
+  template <typename Equal>
+  std::uint32_t find(Hash hash, Equal equal) const {
+    return slots_.empty() ? none : slots_[slot_of(hash.value(), equal)].index;
+  }
+
   /// The index of what is equal to the new thing; else `fresh`, the new thing's own, which is kept.
   /// \param equal  called with an index: is that one equal to the new thing?
   template <typename Equal>
   std::uint32_t find_or_add(Hash hash, std::uint32_t fresh, Equal equal) {
     if (2 * (used_ + 1) > slots_.size()) grow();
-    Slot& slot = find(hash.value(), equal);
-    if (slot.index == free_slot) {
+    Slot& slot = slots_[slot_of(hash.value(), equal)];
+    if (slot.index == none) {
       slot = {hash.value(), fresh};
       ++used_;
     }
@@ -52,28 +60,26 @@ class IndexTable {
   }
 
  private:
-  static constexpr std::uint32_t free_slot = std::numeric_limits<std::uint32_t>::max();
-
   struct Slot {
     std::uint32_t hash = 0;
-    std::uint32_t index = free_slot;
+    std::uint32_t index = none;
   };
 
   /// The slot of what is equal, or the free one where it belongs.
   template <typename Equal>
-  Slot& find(std::uint32_t hash, Equal equal) {
+  std::size_t slot_of(std::uint32_t hash, Equal equal) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = hash & mask;
-    while (slots_[at].index != free_slot && !(slots_[at].hash == hash && equal(slots_[at].index)))
+    while (slots_[at].index != none && !(slots_[at].hash == hash && equal(slots_[at].index)))
       at = (at + 1) & mask;
-    return slots_[at];
+    return at;
   }
 
   void grow() {
     std::vector<Slot> old(slots_.empty() ? 1024 : 2 * slots_.size());
     old.swap(slots_);
     for (const Slot& slot : old)
-      if (slot.index != free_slot) find(slot.hash, [](std::uint32_t) { return false; }) = slot;
+      if (slot.index != none) slots_[slot_of(slot.hash, [](std::uint32_t) { return false; })] = slot;
   }
 
   std::vector<Slot> slots_;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -37,6 +38,10 @@ std::string to_string(Repair repair);
 
 struct ReadOptions {
   Repair repair = Repair::report;
+  /// Vertices no farther from each other become one, in any format; a chain of them as a whole. Model units, not
+  /// negative, at most 1 % of the bounding box's diagonal; 0: only at equal coordinates, and with Repair::none not even
+  /// those (but STL and glTF, which name no vertices)
+  double weld = 0;
 };
 
 /// What was in the file that the mesh does not hold as it stood there. Nothing is lost silently: `notes()`.
@@ -45,10 +50,14 @@ struct ReadReport {
   Repair repair = Repair::report;      ///< as requested; decides what happened to what is counted below
   std::size_t polygons = 0;            ///< faces with more than three corners, split into fans
   std::size_t dropped_degenerate = 0;  ///< triangles that name a vertex twice, left out
-  std::size_t merged_vertices = 0;     ///< STL and glTF: corners joined because they are at the same place
-  std::size_t parts = 0;               ///< glTF: pieces of the scene, where more than one became this mesh
-  std::size_t missing_values = 0;      ///< corners or vertices to which the file gives no value; they got one
-  std::size_t zeroed_values = 0;       ///< normals, colours, texture coordinates not finite; read as 0
+  std::size_t merged_vertices = 0;     ///< joined with another at the same place; STL and glTF: corners
+  std::size_t vertices_apart = 0;      ///< at the place of another, not joined: their faces only touch
+  std::size_t edges_left_open =
+      0;  ///< between such, as their faces have opposite orientations; fix: turned, joined
+  std::size_t lone_faces = 0;      ///< that share no edge, where nine faces in ten are so; else 0
+  std::size_t parts = 0;           ///< glTF: pieces of the scene, where more than one became this mesh
+  std::size_t missing_values = 0;  ///< corners or vertices to which the file gives no value; they got one
+  std::size_t zeroed_values = 0;   ///< normals, colours, texture coordinates not finite; read as 0
 
   std::size_t broken_faces = 0;          ///< fix: use a vertex that is missing or not finite; left out
   std::size_t duplicate_faces = 0;       ///< on the same three vertices as an earlier one; fix: left out
@@ -69,6 +78,11 @@ struct MeshFile {
   IndexedMesh mesh;
   attributes::Attributes attributes;  ///< at corners only where the corners of a vertex differ
   bool single_precision = false;      ///< the file holds 32-bit floats, so writing more digits adds nothing
+  bool texture_at_vertices = false;   ///< the file has a vertex for each texture coordinate along seams
+  /// For each vertex of the file (STL and glTF: of those at different places) the mesh's; `left_out`: it is in no face
+  /// and was left out by Repair::fix. Empty: they are the same
+  std::vector<std::uint32_t> vertex_of;
+  static constexpr std::uint32_t left_out = static_cast<std::uint32_t>(-1);
   ReadReport report;
 };
 
@@ -87,12 +101,17 @@ struct WriteOptions {
   bool ascii = false;             ///< PLY and STL are binary unless this is set
   bool single_precision = false;  ///< write 32-bit floats (text: the shortest that reads back the same float)
   std::string format = {};        ///< "ply", "glb", …: instead of what the extension says
+  /// PLY: a vertex for each texture coordinate along seams instead of a list at each face
+  bool texture_at_vertices = false;
 };
 
 /// What a file could not take.
 struct WriteReport {
   std::vector<std::string> left_out;  ///< "colours", "property 'quality'"
   std::vector<std::string> reduced;   ///< lines: "coordinates rounded to 32-bit floats"
+  std::size_t doubled_vertices = 0;  ///< OBJ, PLY, OFF: written again for values that differ at their corners
+  /// For each vertex of the mesh the first of the file that stands for it; empty: they are the same
+  std::vector<std::uint32_t> first_vertex;
 
   /// One short line for each thing above.
   std::vector<std::string> notes() const;

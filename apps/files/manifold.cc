@@ -34,27 +34,36 @@ void turn(MeshFile& file, std::size_t face) {
 
 }  // namespace
 
-NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<measure::Side>& sides) {
-  NonManifold found;
+std::vector<std::uint32_t> vertices_of_several_fans(const IndexedMesh& mesh,
+                                                    const std::vector<measure::Side>& sides) {
   const Triangles& triangles = mesh.triangles;
   detail::UnionFind fans(3 * triangles.size());  // corners of one vertex, joined through edges
   std::vector<std::uint32_t> fan_count(mesh.points.size(), 0);
   for (const IndexedMesh::Triangle& triangle : triangles)
     for (const std::uint32_t vertex : triangle) ++fan_count[vertex];
-
   const auto corner_at = [&](const measure::Side& side, std::uint32_t vertex) {
     return measure::vertex_of(triangles, side.corner) == vertex ? side.corner
                                                                 : measure::next_corner(side.corner);
   };
   for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
-    const auto faces = end - begin;
-    if (faces > 2 || (faces == 2 && rises(triangles, begin[0]) == rises(triangles, begin[1]))) ++found.edges;
     for (const measure::Side* side = begin + 1; side < end; ++side)
       for (const std::uint32_t vertex : {begin->low, begin->high})
         if (fans.join(corner_at(*begin, vertex), corner_at(*side, vertex))) --fan_count[vertex];
   });
-  found.vertices = static_cast<std::size_t>(std::count_if(
-      fan_count.begin(), fan_count.end(), [](std::uint32_t fans_here) { return fans_here > 1; }));
+  std::vector<std::uint32_t> several;
+  for (std::uint32_t vertex = 0; vertex < fan_count.size(); ++vertex)
+    if (fan_count[vertex] > 1) several.push_back(vertex);
+  return several;
+}
+
+NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<measure::Side>& sides) {
+  NonManifold found;
+  for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
+    const auto faces = end - begin;
+    const bool disagree = faces == 2 && rises(mesh.triangles, begin[0]) == rises(mesh.triangles, begin[1]);
+    if (faces > 2 || disagree) ++found.edges;
+  });
+  found.vertices = vertices_of_several_fans(mesh, sides).size();
   return found;
 }
 

@@ -21,6 +21,10 @@ struct NonManifold {
 /// \{
 NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<measure::Side>& sides);
 
+/// The vertices whose faces are two fans or more that share no edge, ascending.
+std::vector<std::uint32_t> vertices_of_several_fans(const IndexedMesh& mesh,
+                                                    const std::vector<measure::Side>& sides);
+
 /// Marks the faces that are the first on their three vertices, whichever way round.
 std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<measure::Side>& sides);
 /// \}

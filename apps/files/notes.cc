@@ -52,7 +52,12 @@ std::vector<std::string> ReadReport::notes() const {
   notes.add(parts, "part", "parts", " of the scene joined into one mesh");
   notes.add(polygons, "face", "faces", " with more than three corners split into triangles");
   notes.add(dropped_degenerate, "triangle that names", "triangles that name", " a vertex twice left out");
-  notes.add(merged_vertices, "corner", "corners", " joined with an equal one");
+  notes.add(merged_vertices, "vertex", "vertices", " joined with others at the same place");
+  notes.add(vertices_apart, "vertex", "vertices",
+            " at the same place as others left apart, where faces only touch");
+  if (!fixed)
+    notes.add(edges_left_open, "edge", "edges",
+              " left open between faces of opposite orientation; repair 'fix' turns and joins them");
   notes.add(missing_values, "corner or vertex", "corners or vertices",
             " without a value of an attribute that others have");
   notes.add(zeroed_values, "value", "values", " of attributes not finite and read as 0");
@@ -66,6 +71,8 @@ std::vector<std::string> ReadReport::notes() const {
   notes.add(turned_faces, "face", "faces", " turned round to agree with the neighbours");
   notes.add(copied_vertices, "vertex", "vertices", " copied where the mesh was cut");
   notes.add(dropped_vertices, "vertex", "vertices", " not finite or of no face left out");
+  notes.add(lone_faces, "face stands", "faces stand",
+            " alone; if neighbours lie near one another, --weld LENGTH joins them");
   notes.add_list("rounded to 32-bit floats: ", rounded);
   notes.add_list("not read: ", ignored);
   return notes.take();
@@ -74,6 +81,7 @@ std::vector<std::string> ReadReport::notes() const {
 std::vector<std::string> WriteReport::notes() const {
   Notes notes;
   notes.add_lines(reduced);
+  notes.add(doubled_vertices, "vertex", "vertices", " written again for values that differ at their corners");
   notes.add_list("not written: ", left_out);
   return notes.take();
 }

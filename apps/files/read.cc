@@ -11,6 +11,7 @@
 #include "files/Descriptor.hh"
 #include "files/Fault.hh"
 #include "files/formats.hh"
+#include "files/join.hh"
 #include "files/repair.hh"
 
 namespace whittle::files {
@@ -96,6 +97,9 @@ auto naming_input(const std::filesystem::path& path, const std::size_t& line, Ac
 MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line) {
   MeshFile file = read_format(bytes, format, options, line);
   line = 0;
+  // OM has half-edges, which say what hangs together.
+  const bool joins = options.weld != 0 || (options.repair != Repair::none && format != Format::om);
+  if (joins) join(file, options.weld, options.repair == Repair::fix);
   repair(file, options.repair);
   return file;
 }

@@ -39,12 +39,23 @@ void count(MeshFile& file, const std::vector<measure::Side>& sides) {
   file.report.nonmanifold_vertices = found.vertices;
 }
 
+/// Counts the faces that share no edge, if nearly all are so.
+void count_lone(MeshFile& file, const std::vector<measure::Side>& sides) {
+  std::vector<std::uint8_t> open(file.mesh.triangles.size(), 0);
+  for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
+    if (end - begin == 1) ++open[begin->face()];
+  });
+  const auto lone = static_cast<std::size_t>(std::count(open.begin(), open.end(), 3));
+  if (open.size() > 1 && 10 * lone >= 9 * open.size()) file.report.lone_faces = lone;
+}
+
 void fix(MeshFile& file) {
   drop_what_is_not_finite(file);
   std::vector<measure::Side> sides = sides_of(file.mesh);
   file.report.duplicate_faces = keep_faces(file, mark_distinct(file.mesh, sides));
   if (file.report.duplicate_faces > 0) sides = sides_of(file.mesh);
   count(file, sides);
+  count_lone(file, sides);
   if (file.report.nonmanifold_edges > 0) file.report.turned_faces = orient(file);
   if (file.report.nonmanifold_edges + file.report.nonmanifold_vertices > 0)
     file.report.copied_vertices = cut(file);
@@ -64,6 +75,7 @@ void repair(MeshFile& file, Repair mode) {
   const std::vector<bool> distinct = mark_distinct(file.mesh, sides);
   file.report.duplicate_faces = static_cast<std::size_t>(std::count(distinct.begin(), distinct.end(), false));
   count(file, sides);
+  count_lone(file, sides);
 }
 
 }  // namespace whittle::files

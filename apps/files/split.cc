@@ -1,6 +1,9 @@
 #include "files/split.hh"
 
+#include <algorithm>
+
 #include "files/IndexTable.hh"
+#include "files/settle.hh"
 
 namespace whittle::files {
 
@@ -50,6 +53,42 @@ Split split(const IndexedMesh& mesh, const std::vector<const attributes::Attribu
   for (std::uint32_t corner = 0; corner < kind_of.size(); ++corner)
     result.triangles[corner / 3][corner % 3] = number[kind_of[corner]];
   return result;
+}
+
+std::vector<float> values_at(const Split& vertices, const attributes::Attribute& attribute) {
+  std::vector<float> values;
+  values.reserve(attribute.components * vertices.vertex.size());
+  for (std::size_t i = 0; i < vertices.vertex.size(); ++i) {
+    const std::uint32_t value = vertices.value(attribute, i);
+    for (std::size_t k = 0; k < attribute.components; ++k)
+      values.push_back(value == Split::none ? default_component(attribute.kind) : attribute.value(value)[k]);
+  }
+  return values;
+}
+
+std::vector<std::uint32_t> first_of_each(const Split& vertices, const IndexedMesh& mesh) {
+  std::vector<std::uint32_t> first;
+  if (vertices.vertex.size() == mesh.points.size()) return first;
+  for (std::uint32_t i = 0; i < vertices.vertex.size(); ++i)
+    if (vertices.vertex[i] == first.size()) first.push_back(i);
+  return first;
+}
+
+SplitMesh split_mesh(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                     const std::vector<const attributes::Attribute*>& at_vertices) {
+  const Split vertices = split(mesh, at_vertices);
+  SplitMesh out;
+  for (const std::uint32_t vertex : vertices.vertex) out.mesh.points.push_back(mesh.points[vertex]);
+  out.mesh.triangles = vertices.triangles;
+  out.attributes = attributes;
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    const bool moves = std::find(at_vertices.begin(), at_vertices.end(), &attributes[i]) != at_vertices.end();
+    if (!moves && !attributes[i].per_vertex()) continue;
+    out.attributes[i].values = values_at(vertices, attributes[i]);
+    out.attributes[i].corners = {};
+  }
+  out.first = first_of_each(vertices, mesh);
+  return out;
 }
 
 }  // namespace whittle::files

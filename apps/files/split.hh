@@ -27,4 +27,20 @@ struct Split {
 
 Split split(const IndexedMesh& mesh, const std::vector<const attributes::Attribute*>& attributes);
 
+/// The components of an attribute at every vertex; a default where no corner tells.
+std::vector<float> values_at(const Split& vertices, const attributes::Attribute& attribute);
+
+/// For each vertex of the mesh the first that it is here; empty where they are the same.
+std::vector<std::uint32_t> first_of_each(const Split& vertices, const IndexedMesh& mesh);
+
+/// The mesh and its attributes, of which some have values at vertices now.
+struct SplitMesh {
+  IndexedMesh mesh;
+  attributes::Attributes attributes;
+  std::vector<std::uint32_t> first;  ///< as first_of_each
+};
+/// \param at_vertices  those of `attributes` that are to have their values there
+SplitMesh split_mesh(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                     const std::vector<const attributes::Attribute*>& at_vertices);
+
 }  // namespace whittle::files

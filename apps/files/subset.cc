@@ -1,6 +1,8 @@
 #include "files/subset.hh"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "files/settle.hh"
 
@@ -44,17 +46,27 @@ std::size_t keep_vertices(MeshFile& file, const std::vector<bool>& keep) {
   std::vector<std::uint32_t> number;
   number.reserve(keep.size());
   std::uint32_t next = 0;
-  for (const bool stays : keep) number.push_back(stays ? next++ : 0);
+  for (const bool stays : keep) number.push_back(stays ? next++ : MeshFile::left_out);
 
   keep_entries(file.mesh.points, keep);
   for (attributes::Attribute& attribute : file.attributes)
     if (attribute.per_vertex()) keep_entries(attribute.values, keep, attribute.components);
   for (IndexedMesh::Triangle& triangle : file.mesh.triangles)
     for (std::uint32_t& corner : triangle) corner = number[corner];
+  if (file.vertex_of.empty()) {
+    file.vertex_of = std::move(number);
+  } else {
+    for (std::uint32_t& vertex : file.vertex_of)
+      if (vertex != MeshFile::left_out) vertex = number[vertex];
+  }
   return going;
 }
 
 void copy_vertices(MeshFile& file, const std::vector<std::uint32_t>& originals) {
+  if (file.vertex_of.empty()) {
+    file.vertex_of.resize(file.mesh.points.size());
+    std::iota(file.vertex_of.begin(), file.vertex_of.end(), 0U);
+  }
   file.mesh.points.reserve(file.mesh.points.size() + originals.size());
   for (const std::uint32_t original : originals) file.mesh.points.push_back(file.mesh.points[original]);
   for (attributes::Attribute& attribute : file.attributes) {

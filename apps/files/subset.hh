@@ -17,7 +17,7 @@ std::size_t keep_faces(MeshFile& file, const std::vector<bool>& keep);
 /// \return how many were removed
 std::size_t keep_vertices(MeshFile& file, const std::vector<bool>& keep);
 
-/// Appends copies of vertices.
+/// Appends copies of vertices; the file's stay the originals.
 void copy_vertices(MeshFile& file, const std::vector<std::uint32_t>& originals);
 
 /// Takes out the faces that name a vertex that is not there, and counts them as broken.

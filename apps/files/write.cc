@@ -1,10 +1,13 @@
 /// \file
 /// From a mesh to a file.
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "files/Choice.hh"
 #include "files/Fault.hh"
 #include "files/formats.hh"
+#include "files/split.hh"
 
 namespace whittle::files {
 namespace {
@@ -77,6 +80,28 @@ void check_mesh(const IndexedMesh& mesh, const attributes::Attributes& attribute
   for (const Attribute& attribute : attributes) check_attribute(mesh, attribute);
 }
 
+/// Whether a format has values of a kind at vertices only, and more vertices help.
+bool takes_at_vertices(Format format, Kind kind, const WriteOptions& options) {
+  if (format == Format::obj) return kind == Kind::colour;
+  if (format == Format::off) return kind != Kind::scalar;
+  if (format == Format::ply) return kind != Kind::texture || options.texture_at_vertices;
+  return false;  // STL has none; where OM has half-edges, a doubled vertex is a hole
+}
+
+/// Those that are written and differ at corners where the format has values at vertices.
+std::vector<const Attribute*> to_be_split(const attributes::Attributes& attributes, Format format,
+                                          const WriteOptions& options) {
+  std::vector<const Attribute*> out;
+  bool seen[4] = {false, false, false, false};
+  for (const Attribute& attribute : attributes) {
+    const bool is_second = std::exchange(seen[static_cast<std::size_t>(attribute.kind)], true);
+    if (is_second && attribute.kind != Kind::scalar) continue;
+    if (!attribute.per_vertex() && takes_at_vertices(format, attribute.kind, options))
+      out.push_back(&attribute);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
@@ -84,6 +109,12 @@ std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& at
   check_mesh(mesh, attributes, options.single_precision || format == Format::stl || format == Format::glb);
   if (!all_finite(attributes))
     return mesh_bytes(mesh, with_finite_values(attributes, report), options, format, report);
+  if (const auto at_corners = to_be_split(attributes, format, options); !at_corners.empty()) {
+    SplitMesh split = split_mesh(mesh, attributes, at_corners);
+    report.doubled_vertices = split.mesh.points.size() - mesh.points.size();
+    report.first_vertex = std::move(split.first);
+    return mesh_bytes(split.mesh, split.attributes, options, format, report);
+  }
   switch (format) {
     case Format::obj:
       return obj_bytes(mesh, attributes, options, report);

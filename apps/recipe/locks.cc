@@ -20,7 +20,9 @@ Eigen::Vector3d unit_normal(const IndexedMesh& mesh, std::uint32_t f) {
   return (mesh.points[t[1]] - a).cross(mesh.points[t[2]] - a).normalized();
 }
 
-void select(const std::string& file, std::size_t n_vertices, std::vector<std::uint8_t>& flags) {
+void select(const std::string& file, const std::vector<std::uint32_t>& vertex_of,
+            std::vector<std::uint8_t>& flags) {
+  const std::size_t n_vertices = vertex_of.empty() ? flags.size() : vertex_of.size();
   std::istringstream in(files::read_file(file));
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
@@ -34,16 +36,18 @@ void select(const std::string& file, std::size_t n_vertices, std::vector<std::ui
         throw RecipeError(file + ":" + std::to_string(number) + ": '" + word.substr(0, 40) +
                           "' is not the number of a vertex, 0 to " +
                           std::to_string(n_vertices == 0 ? 0 : n_vertices - 1));
-      flags[v] |= kLocked;
+      const std::size_t vertex = vertex_of.empty() ? v : vertex_of[v];
+      if (vertex < flags.size()) flags[vertex] |= kLocked;
     }
   }
 }
 
 }  // namespace
 
-void Lock::apply(const IndexedMesh& mesh, std::vector<std::uint8_t>& flags) const {
+void Lock::apply(const IndexedMesh& mesh, const std::vector<std::uint32_t>& vertex_of,
+                 std::vector<std::uint8_t>& flags) const {
   flags.resize(mesh.points.size(), 0);
-  if (what == What::selection) return select(file, mesh.points.size(), flags);
+  if (what == What::selection) return select(file, vertex_of, flags);
   const double least_cos = std::cos(degrees * (detail::kPi / 180));
   const auto lock = [&](const measure::Side& side, std::uint8_t flag) {
     flags[side.low] |= flag;

@@ -19,7 +19,9 @@ struct Lock {
   /// Adds kLocked or kFeature to the flags of the vertices that it means; makes room for all if there are
   /// none. \throw files::FileError  a selection that cannot be read
   /// \throw RecipeError  one that names no vertex of the mesh: file and line
-  void apply(const IndexedMesh& mesh, std::vector<std::uint8_t>& flags) const;
+  /// \param vertex_of  for each vertex of the file the mesh's, as MeshFile has it: a selection counts those of the file
+  void apply(const IndexedMesh& mesh, const std::vector<std::uint32_t>& vertex_of,
+             std::vector<std::uint8_t>& flags) const;
 };
 
 /// \throw RecipeError

@@ -12,9 +12,8 @@ bool holds(const std::string& format, Kind kind, bool at_corners) {
   const bool obj = format == "OBJ", off = format == "OFF", om = format == "OM", glb = format[0] == 'g';
   const bool ply = format.find("PLY") == 0;
   if (kind == Kind::scalar) return ply || om || glb;
-  if (kind == Kind::normal) return at_corners ? obj || glb : obj || off || ply || om || glb;
-  if (kind == Kind::colour) return at_corners ? glb : obj || off || ply || om || glb;
-  return at_corners ? obj || ply || om || glb : obj || off || ply || om || glb;
+  const bool om_holds = om && (!at_corners || kind == Kind::texture);
+  return obj || off || ply || om_holds || glb;
 }
 
 void check(const Attribute& attribute) {
@@ -109,7 +108,7 @@ TEST_CASE("write_mesh says what a format does not hold") {
   CHECK(report("a.stl").left_out == Names{"normals", "colours", "texture coordinates", "property 'quality'"});
   CHECK(report("a.obj").left_out == Names{"a second set of texture coordinates", "property 'quality'"});
   CHECK(report("a.off").left_out ==
-        Names{"texture coordinates that differ between the corners of a vertex", "property 'quality'"});
+        Names{"a second set of texture coordinates", "property 'quality'"});
   CHECK(report("a.om").left_out == Names{"a second set of texture coordinates", "opacity"});
   CHECK(report("a.om").reduced == Names{"colours rounded to 8 bits"});
   CHECK(report("a.om").notes() ==

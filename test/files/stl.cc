@@ -36,7 +36,7 @@ TEST_CASE("STL: text, where equal corners become one vertex, -0 equals 0") {
   CHECK(file.mesh.points[3].x() == 0.1F);
   CHECK(file.report.format == "STL, ASCII");
   CHECK(file.report.merged_vertices == 2);
-  CHECK(file.report.notes() == Names{"2 corners joined with an equal one"});
+  CHECK(file.report.notes() == Names{"2 vertices joined with others at the same place"});
   CHECK(file.single_precision);
 }
 
