@@ -37,18 +37,24 @@ void Sampler::interpolate(const Eigen::Vector3d& p, const std::vector<std::uint3
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t i = 0; i < in_.components; ++i)
       sum[i] += share[k] * static_cast<double>(in_.value(in_.at(mesh_, nearest, k))[i]);
-  if (in_.kind == Kind::normal) {
-    const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-    if (!(length > 0)) return copy(in_.at(mesh_, nearest, 0));
-    for (double& x : sum) x /= length;
-  }
-  for (std::size_t i = 0; i < in_.components; ++i) out_.values.push_back(static_cast<float>(sum[i]));
+  add(sum, in_.at(mesh_, nearest, 0));
 }
 
 void Sampler::between(std::uint32_t from, std::uint32_t to, double share) {
+  std::array<double, 4> sum{};
   for (std::size_t i = 0; i < in_.components; ++i)
-    out_.values.push_back(static_cast<float>((1 - share) * static_cast<double>(in_.value(from)[i]) +
-                                             share * static_cast<double>(in_.value(to)[i])));
+    sum[i] =
+        (1 - share) * static_cast<double>(in_.value(from)[i]) + share * static_cast<double>(in_.value(to)[i]);
+  add(sum, from);
+}
+
+void Sampler::add(std::array<double, 4> value, std::uint32_t fallback) {
+  if (in_.kind == Kind::normal) {
+    const double length = std::sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
+    if (!(length > 0)) return copy(fallback);
+    for (double& x : value) x /= length;
+  }
+  for (std::size_t i = 0; i < in_.components; ++i) out_.values.push_back(static_cast<float>(value[i]));
 }
 
 Attribute Sampler::take(std::vector<IndexedMesh::Triangle> corners) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -33,6 +34,9 @@ class Sampler {
   Attribute take(std::vector<IndexedMesh::Triangle> corners);
 
  private:
+  /// A normal gets its length of one, or is the fallback where it has none.
+  void add(std::array<double, 4> value, std::uint32_t fallback);
+
   const Attribute& in_;
   const IndexedMesh& mesh_;
   Attribute out_;

@@ -100,8 +100,10 @@ class Transfer {
 };
 
 /// Whether moving a vertex across its borders would tear it.
-bool makes_seams(const Attribute& attribute) {
-  return attribute.kind == Kind::texture && !attribute.per_vertex();
+bool makes_seams(const Attribute& attribute, const SeamKinds& kinds) {
+  if (attribute.per_vertex()) return false;
+  return attribute.kind == Kind::texture || (attribute.kind == Kind::normal && kinds.normals) ||
+         (attribute.kind == Kind::colour && kinds.colours);
 }
 
 /// With one number for values that are equal.
@@ -133,23 +135,23 @@ void combine(std::vector<Triangle>& numbers, const std::vector<Triangle>& others
 
 }  // namespace
 
-Attributes transfer(const Attributes& attributes, const Decimation& decimation) {
+Attributes transfer(const Attributes& attributes, const Decimation& decimation, const SeamKinds& kinds) {
   Attributes out;
   if (attributes.empty()) return out;
   const Stars stars(decimation.before);
   const Members members(decimation.vertex_map, decimation.after.points.size());
   for (const Attribute& attribute : attributes)
-    if (makes_seams(attribute))
+    if (makes_seams(attribute, kinds))
       out.push_back(SeamTransfer(with_distinct_values(attribute), decimation).run());
     else
       out.push_back(Transfer(attribute, decimation, stars, members).run());
   return out;
 }
 
-std::vector<Triangle> seam_wedges(const Attributes& attributes) {
+std::vector<Triangle> seam_wedges(const Attributes& attributes, const SeamKinds& kinds) {
   std::vector<Triangle> out;
   for (const Attribute& attribute : attributes) {
-    if (!makes_seams(attribute)) continue;
+    if (!makes_seams(attribute, kinds)) continue;
     std::vector<Triangle> corners = with_distinct_values(attribute).corners;
     if (out.empty())
       out = std::move(corners);

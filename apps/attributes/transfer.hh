@@ -18,20 +18,25 @@ struct Decimation {
   const std::vector<std::uint32_t>& face_origin;  ///< for each face after, the face that it was
 };
 
+/// Which attributes tear when a vertex crosses a border of theirs, and so make seams. Texture coordinates always do; normals
+/// and colours may have sharp edges, which a vertex may leave.
+struct SeamKinds {
+  bool normals = false, colours = false;
+};
+
 /// What the attributes are after a decimation.
 ///
 /// A vertex that stands where it stood, and that nothing merged into, keeps its values. Any other gets the
 /// values at the point nearest to it on the faces around the vertices that became it, interpolated linearly;
 /// normals keep their length of one. Where corners differ that happens on each side for itself: a face of the result
-/// looks at those faces that hang together with the one it was, without crossing a border. Texture coordinates on
-/// a seam take the value at the nearest point of the border, the same one on both sides.
+/// looks at those faces that hang together with the one it was, without crossing a border. What makes seams takes on
+/// one the value at the nearest point of the border, the same one on both sides.
 /// \pre the attributes fit the mesh before.
-Attributes transfer(const Attributes& attributes, const Decimation& decimation);
+Attributes transfer(const Attributes& attributes, const Decimation& decimation, const SeamKinds& kinds = {});
 
-/// For each corner a number that tells texture coordinates apart by their values, of all sets together: wedges as
-/// SurfaceExtras has them. Empty where there are none at corners. Normals and colours may have sharp edges, but
-/// moving those tears nothing apart.
-std::vector<IndexedMesh::Triangle> seam_wedges(const Attributes& attributes);
+/// For each corner a number that tells apart what makes seams by its values, of all sets together: wedges as
+/// SurfaceExtras has them. Empty where there is nothing of it at corners.
+std::vector<IndexedMesh::Triangle> seam_wedges(const Attributes& attributes, const SeamKinds& kinds = {});
 
 /// For each corner a number that tells apart the sets of values that the corners of a vertex have: two
 /// corners of one vertex have the same number where all attributes agree. Empty where no attribute is of

@@ -62,6 +62,24 @@ std::vector<float> tolerances(const std::string& name, const files::MeshFile& in
                             (known.empty() ? "it has none" : "there are " + known));
 }
 
+bool has_word(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// What options and modules call a kind of attributes.
+std::string word_of(attributes::Kind kind) {
+  switch (kind) {
+    case attributes::Kind::normal:
+      return "normals";
+    case attributes::Kind::colour:
+      return "colours";
+    case attributes::Kind::texture:
+      return "texture";
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
 void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_target) {
@@ -102,6 +120,23 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
       .add_option("--weights", options.weights,
                   "A vertex property of the file: 1 is neutral, 2 keeps twice as true, 0 does not matter")
       ->type_name("PROPERTY");
+  command
+      .add_option("--drop", options.drop,
+                  "Leave normals, colours or texture out: it is not written and does not count. May be given "
+                  "several times")
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"normals", "colours", "texture"}))
+      ->take_all()
+      ->expected(1);
+  command
+      .add_option(
+          "--seams", options.seams,
+          "Where normals or colours differ at the corners of a vertex, it moves along their border only, "
+          "as along texture's. May be given several times")
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"normals", "colours"}))
+      ->take_all()
+      ->expected(1);
   command
       .add_option("--delaunay", options.delaunay,
                   "Retriangulate at the end, by flips of edges no sharper than DEGREES; 20 keeps the shape")
@@ -175,12 +210,30 @@ files::ReadOptions read_options(const RecipeOptions& options) {
   return read;
 }
 
+std::vector<std::string> drop_attributes(const RecipeOptions& options, const std::string& out,
+                                         const files::WriteOptions& format, files::MeshFile& in) {
+  attributes::Attributes& all = in.attributes;
+  all.erase(
+      std::remove_if(all.begin(), all.end(),
+                     [&](const auto& attribute) { return has_word(options.drop, word_of(attribute.kind)); }),
+      all.end());
+  return files::take_unwritable(all, out, format, [&](const attributes::Attribute& attribute) {
+    const std::string key = word_of(attribute.kind);
+    return !key.empty() && std::any_of(options.modules.begin(), options.modules.end(), [&](const auto& text) {
+      const recipe::Spec module = recipe::parse_spec(text);
+      return recipe::find_module(module.name).find(key) != nullptr &&
+             module.length(key, {1, 1}).value_or(0) > 0;
+    });
+  });
+}
+
 recipe::Givens make_givens(const RecipeOptions& options, const files::MeshFile& in) {
   recipe::Givens givens;
   for (const std::string& text : options.locks)
     recipe::parse_lock(text).apply(in.mesh, in.vertex_of, givens.flags);
   if (!options.weights.empty()) givens.tolerance = tolerances(options.weights, in);
   givens.attributes = &in.attributes;
+  givens.seams = {has_word(options.seams, "normals"), has_word(options.seams, "colours")};
   return givens;
 }
 

@@ -16,7 +16,7 @@
 namespace whittle::cli {
 
 struct RecipeOptions {
-  std::vector<std::string> modules, locks;
+  std::vector<std::string> modules, locks, drop, seams;
   std::optional<double> ratio, delaunay;
   std::optional<std::size_t> faces, vertices;
   std::size_t samples = measure::DistanceOptions().samples;
@@ -38,6 +38,12 @@ std::vector<std::string> selection_files(const RecipeOptions& options);
 void read_selections(const RecipeOptions& options, files::Outputs& outputs);
 
 files::ReadOptions read_options(const RecipeOptions& options);
+
+/// Takes out of `in` the attributes that `--drop` names, and those that no file will hold, unless a module weighs them.
+/// To be called when the givens are made.
+/// \return names of the latter
+std::vector<std::string> drop_attributes(const RecipeOptions& options, const std::string& out,
+                                         const files::WriteOptions& format, files::MeshFile& in);
 
 /// What `--lock` and `--weights` set for a mesh, and the attributes of `in`, which must outlive the result.
 /// \throw files::FileError  a selection that cannot be read.

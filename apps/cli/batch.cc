@@ -58,6 +58,8 @@ std::vector<std::string> simplify_arguments(const Options& options) {
   };
   for (const std::string& module : options.modules) add("--module", module);
   for (const std::string& lock : options.locks) add("--lock", lock);
+  for (const std::string& what : options.drop) add("--drop", what);
+  for (const std::string& what : options.seams) add("--seams", what);
   add_number("--ratio", options.ratio);
   add_number("--faces", options.faces);
   add_number("--vertices", options.vertices);

@@ -56,6 +56,8 @@ std::vector<Choice> choices() {
   return {{"--module", modules()},
           {"--driver", drivers()},
           {"--repair", {"none", "report", "fix"}},
+          {"--drop", {"normals", "colours", "texture"}},
+          {"--seams", {"normals", "colours"}},
           {"--pieces", {"keep", "by-error"}},
           {"--lock", {"boundary", "feature:", "selection:"}},
           {"--format", {"obj", "ply", "off", "stl", "om", "glb"}}};

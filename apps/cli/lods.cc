@@ -86,8 +86,8 @@ recipe::Recipe recipe_for(const Options& options, std::size_t faces) {
 }
 
 /// mq plans once; the other modules plan each level anew, from the input.
-std::vector<Level> make_levels(const Options& options, const files::MeshFile& in) {
-  const recipe::Givens givens = make_givens(options, in);
+std::vector<Level> make_levels(const Options& options, const files::MeshFile& in,
+                               const recipe::Givens& givens) {
   const bool plan_once = options.modules.empty() && options.max_distance.empty() && !options.delaunay &&
                          options.driver == "auto" && options.pieces == "keep" && !options.force;
   std::optional<recipe::Progression> progression;
@@ -152,8 +152,8 @@ std::string table(const files::MeshFile& in, const std::vector<Level>& levels) {
 }
 
 /// \return what the formats could not take.
-std::vector<std::string> write(const Options& options, const files::MeshFile& in, std::vector<Level>& levels,
-                               files::Outputs& outputs) {
+files::WriteReport write(const Options& options, const files::MeshFile& in, std::vector<Level>& levels,
+                         files::Outputs& outputs) {
   if (is_glb(options.out)) {
     std::vector<files::Level> all{{in.mesh, in.attributes, 0}};
     for (Level& level : levels) {
@@ -162,7 +162,7 @@ std::vector<std::string> write(const Options& options, const files::MeshFile& in
     }
     files::Encoded one = files::encode_glb_levels(options.out, all);
     outputs.write("--out", std::move(one.bytes));
-    return one.report.notes();
+    return std::move(one.report);
   }
   files::WriteOptions format;
   format.ascii = options.ascii;
@@ -176,7 +176,7 @@ std::vector<std::string> write(const Options& options, const files::MeshFile& in
     outputs.write(role_of(i + 1),
                   files::encode_mesh(levels[i].file, result.mesh, format, result.attributes).bytes);
   }
-  return model.report.notes();
+  return std::move(model.report);
 }
 
 int lods(Options options) {
@@ -184,14 +184,18 @@ int lods(Options options) {
   recipe_for(options, 1);  // what is wrong with it is wrong before anything is read
   files::Outputs outputs;
   add_files(options, outputs);
-  const files::MeshFile in = files::read_mesh(options.in, read_options(options));
+  files::MeshFile in = files::read_mesh(options.in, read_options(options));
   if (!options.quiet) print_notes(options.in, in.report);
-  std::vector<Level> levels = make_levels(options, in);
-  const std::vector<std::string> notes = write(options, in, levels, outputs);
+  const recipe::Givens givens = make_givens(options, in);
+  std::vector<std::string> left_out = drop_attributes(options, options.out, {}, in);
+  std::vector<Level> levels = make_levels(options, in, givens);
+  files::WriteReport written = write(options, in, levels, outputs);
+  left_out.insert(left_out.end(), written.left_out.begin(), written.left_out.end());
+  written.left_out = std::move(left_out);
   outputs.write("--json", json_text(describe(options, in, levels)));
   outputs.commit();
   if (!options.quiet)
-    for (const std::string& note : notes) complain(options.out + ": " + note);
+    for (const std::string& note : written.notes()) complain(options.out + ": " + note);
   int code = 0;
   if (!options.quiet && options.json != "-" && !print_summary(table(in, levels))) code = 1;
   for (const Level& level : levels)

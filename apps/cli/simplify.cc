@@ -64,7 +64,7 @@ Json names(const attributes::Attributes& attributes) {
 }
 
 Json describe(const Options& options, const recipe::Recipe& recipe, const files::MeshFile& in,
-              const recipe::Result& result, const files::WriteReport& written) {
+              const Json& attributes_read, const recipe::Result& result, const files::WriteReport& written) {
   Json stages = Json::array();
   for (const recipe::StageResult& stage : result.stages) stages.push_back(to_json(stage));
   return {{"command", "simplify"},
@@ -72,7 +72,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
            {{"file", options.in},
             {"vertices", in.mesh.points.size()},
             {"faces", in.mesh.triangles.size()},
-            {"attributes", names(in.attributes)},
+            {"attributes", attributes_read},
             {"read", to_json(in.report)}}},
           {"output",
            {{"file", options.out},
@@ -81,6 +81,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
             {"vertices_doubled", written.doubled_vertices},
             {"attributes_left_out", written.left_out},
             {"reduced", written.reduced}}},
+          {"attributes_dropped", options.drop},
           {"locks", options.locks},
           {"vertices_locked", result.held},
           {"charts", {{"before", result.charts}, {"gone", result.charts_gone}}},
@@ -193,16 +194,21 @@ int simplify(const Options& options) {
   outputs.add("--map", options.map);
   outputs.add("--json", options.json);
 
-  const files::MeshFile in = files::read_mesh(options.in, read_options(options));
+  files::MeshFile in = files::read_mesh(options.in, read_options(options));
   if (!options.quiet) print_notes(options.in, in.report);
-  const recipe::Result result = recipe::run(in.mesh, recipe, {}, make_givens(options, in));
+  const Json attributes_read = names(in.attributes);
+  const recipe::Givens givens = make_givens(options, in);
+  std::vector<std::string> left_out = drop_attributes(options, options.out, format, in);
+  const recipe::Result result = recipe::run(in.mesh, recipe, {}, givens);
 
   format.single_precision = in.single_precision;
   format.texture_at_vertices = in.texture_at_vertices;
   files::Encoded out = files::encode_mesh(options.out, result.mesh, format, result.attributes);
+  left_out.insert(left_out.end(), out.report.left_out.begin(), out.report.left_out.end());
+  out.report.left_out = std::move(left_out);
   outputs.write("OUT", std::move(out.bytes));
   outputs.write("--map", map_text(in, result, out.report));
-  outputs.write("--json", json_text(describe(options, recipe, in, result, out.report)));
+  outputs.write("--json", json_text(describe(options, recipe, in, attributes_read, result, out.report)));
   outputs.commit();
   warn(options, result, out.report);
   int code = complain_about_misses(recipe, in, result);

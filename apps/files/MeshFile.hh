@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -104,6 +105,15 @@ struct WriteOptions {
   /// PLY: a vertex for each texture coordinate along seams instead of a list at each face
   bool texture_at_vertices = false;
 };
+
+/// Takes away what the file will not hold, before it constrains anything: attributes of a kind that the format does not
+/// know, and all but the first set of a kind.
+/// \param keeps  whether an attribute stays all the same
+/// \return what has gone, as WriteReport::left_out names it
+/// \throw FileError  unknown format
+std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
+                                         const std::filesystem::path& path, const WriteOptions& options,
+                                         const std::function<bool(const attributes::Attribute&)>& keeps);
 
 /// What a file could not take.
 struct WriteReport {

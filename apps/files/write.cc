@@ -80,6 +80,13 @@ void check_mesh(const IndexedMesh& mesh, const attributes::Attributes& attribute
   for (const Attribute& attribute : attributes) check_attribute(mesh, attribute);
 }
 
+/// Whether a format can hold an attribute.
+bool can_hold(Format format, const Attribute& attribute) {
+  if (format == Format::stl) return false;
+  if (format == Format::om) return attribute.per_vertex() || attribute.kind == Kind::texture;
+  return attribute.kind != Kind::scalar || format == Format::ply || format == Format::glb;
+}
+
 /// Whether a format has values of a kind at vertices only, and more vertices help.
 bool takes_at_vertices(Format format, Kind kind, const WriteOptions& options) {
   if (format == Format::obj) return kind == Kind::colour;
@@ -129,6 +136,29 @@ std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& at
     default:
       return glb_bytes({{&mesh, &attributes, 0}}, report);
   }
+}
+
+std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
+                                         const std::filesystem::path& path, const WriteOptions& options,
+                                         const std::function<bool(const Attribute&)>& keeps) {
+  const Format format = naming(path, [&] { return format_for(path, options); });
+  std::vector<std::string> gone;
+  attributes::Attributes left;
+  bool seen[4] = {false, false, false, false};
+  for (Attribute& attribute : attributes) {
+    const bool holds = can_hold(format, attribute);
+    const bool is_second = holds && std::exchange(seen[static_cast<std::size_t>(attribute.kind)], true) &&
+                           attribute.kind != Kind::scalar;
+    if ((holds && !is_second) || keeps(attribute)) {
+      left.push_back(std::move(attribute));
+      continue;
+    }
+    const bool at_corners = format == Format::om && !attribute.per_vertex();
+    gone.push_back((is_second ? "a second set of " : "") + to_string(attribute) +
+                   (at_corners && !is_second ? " that differ between the corners of a vertex" : ""));
+  }
+  attributes = std::move(left);
+  return gone;
 }
 
 Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options,

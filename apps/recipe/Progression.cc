@@ -20,7 +20,11 @@ Recipe down_to_nothing() {
 }  // namespace
 
 Progression::Progression(const IndexedMesh& mesh, const Givens& givens, const Monitor& monitor)
-    : mesh_(mesh), attributes_(givens.attributes), flags_(givens.flags), least_(mesh.triangles.size()) {
+    : mesh_(mesh),
+      attributes_(givens.attributes),
+      seams_(givens.seams),
+      flags_(givens.flags),
+      least_(mesh.triangles.size()) {
   Stopwatch watch;
   plan_ = plan(mesh, down_to_nothing(), monitor, givens);
   plan_seconds_ = watch.lap();
@@ -38,8 +42,8 @@ Result Progression::at(std::size_t faces) const {
   auto executed = execute(plan_, mesh_, n);
   result.flipped_faces = count_flips(mesh_, executed.mesh, executed.face_origin);
   if (attributes_)
-    result.attributes =
-        attributes::transfer(*attributes_, {mesh_, executed.mesh, executed.vertex_map, executed.face_origin});
+    result.attributes = attributes::transfer(
+        *attributes_, {mesh_, executed.mesh, executed.vertex_map, executed.face_origin}, seams_);
   StageResult stage;
   stage.module = default_module().text();
   stage.driver = Driver::bulk;

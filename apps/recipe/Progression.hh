@@ -30,6 +30,7 @@ class Progression {
  private:
   const IndexedMesh& mesh_;
   const attributes::Attributes* attributes_;
+  attributes::SeamKinds seams_;
   std::vector<std::uint8_t> flags_;
   Pieces pieces_;
   CollapsePlan plan_;

@@ -51,7 +51,7 @@ SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& s
     add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), module, weights,
                extras);
   if (!givens.attributes) return extras;
-  extras.wedges = attributes::seam_wedges(*givens.attributes);
+  extras.wedges = attributes::seam_wedges(*givens.attributes, givens.seams);
   flag_seams(mesh, extras);
   return extras;
 }
@@ -225,8 +225,8 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor
   count_charts(task, result);
   result.flipped_faces = count_flips(mesh, result.mesh, result.face_origin);
   if (givens.attributes)
-    result.attributes =
-        attributes::transfer(*givens.attributes, {mesh, result.mesh, result.vertex_map, result.face_origin});
+    result.attributes = attributes::transfer(
+        *givens.attributes, {mesh, result.mesh, result.vertex_map, result.face_origin}, givens.seams);
   remove_pieces(mesh, pieces, result);
   if (recipe.delaunay) retriangulate_result(mesh, recipe, bound, result);
   result.target_reached =

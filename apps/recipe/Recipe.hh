@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "attributes/Attribute.hh"
+#include "attributes/transfer.hh"
 #include "measure/Distance.hh"
 #include "recipe/Decimated.hh"
 #include "recipe/Spec.hh"
@@ -128,6 +129,7 @@ struct Givens {
   std::vector<float> tolerance;     ///< for each vertex a factor of the thresholds, see SurfaceExtras
   /// To be carried over. Seams of texture coordinates move in modules that can move them, and stay in others
   const attributes::Attributes* attributes = nullptr;
+  attributes::SeamKinds seams = {};  ///< what makes seams besides texture coordinates
 };
 
 /// The sizes that the relative lengths of a recipe refer to. Each edge counts once in the mean.

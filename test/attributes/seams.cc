@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -349,4 +350,44 @@ TEST_CASE("the texture error leaves out charts that are gone") {
   CHECK(error.charts_left == 1);
   CHECK(error.samples == 2000);
   CHECK(error.max < 1e-3);
+}
+
+TEST_CASE("Seams: normals and colours that differ at corners make seams where asked") {
+  // A plate of 12 x 12 quads, red on the left and blue on the right, and flat normals that differ in the same place.
+  const IndexedMesh mesh = meshes::flat_grid(12);
+  const std::vector<std::uint32_t> side = meshes::charts_by_centre(
+      mesh, [&](const meshes::Point& p) { return p.x() < mesh.points.back().x() / 2 ? 0u : 1u; });
+  Attribute colour{Kind::colour, "", 3, false, false, {1, 0, 0, 0, 0, 1}, {}};
+  Attribute normal{Kind::normal, "", 3, false, false, {0, 0, 1, 0.6f, 0, 0.8f}, {}};
+  for (const std::uint32_t s : side) {
+    colour.corners.push_back({s, s, s});
+    normal.corners.push_back({s, s, s});
+  }
+  for (const Attribute& attribute : {colour, normal}) {
+    CHECK(seam_wedges({attribute}).empty());
+    const SeamKinds kinds{attribute.kind == Kind::normal, attribute.kind == Kind::colour};
+    CHECK(seam_wedges({attribute}, kinds).size() == mesh.triangles.size());
+    recipe::Givens givens;
+    const Attributes given = {attribute};
+    givens.attributes = &given;
+    givens.seams = kinds;
+    const recipe::Result result = recipe::run(mesh, mq_down_to(8), {}, givens);
+    CHECK(result.charts == 2);
+    // The border is where it was, and its sides have their values.
+    std::array<double, 2> before{}, after{};
+    const auto add = [](const IndexedMesh& of, std::size_t f, double& area) {
+      const auto& t = of.triangles[f];
+      area += (of.points[t[1]] - of.points[t[0]]).cross(of.points[t[2]] - of.points[t[0]]).norm() / 2;
+    };
+    for (std::size_t f = 0; f < side.size(); ++f) add(mesh, f, before[side[f]]);
+    const Attribute& now = result.attributes[0];
+    for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f) {
+      const std::uint32_t s = now.value(now.corners[f][0])[0] == attribute.values[0] ? 0 : 1;
+      add(result.mesh, f, after[s]);
+      for (const std::uint32_t value : now.corners[f])
+        CHECK(std::equal(now.value(value), now.value(value) + 3, attribute.value(s)));
+    }
+    CHECK(std::abs(after[0] - before[0]) < 1e-5 * before[0]);
+    CHECK(std::abs(after[1] - before[1]) < 1e-5 * before[1]);
+  }
 }

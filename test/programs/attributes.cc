@@ -1,0 +1,96 @@
+/// \file
+/// Attributes that are left out, and attributes that make seams, through whittle simplify.
+#include <nlohmann/json.hpp>
+
+#include "TorusFile.hh"
+
+using namespace whittle;
+using Catch::Matchers::Contains;
+using Json = nlohmann::json;
+using programs::TorusFile;
+using programs::whittle_program;
+
+namespace {
+
+attributes::Attribute at_corners(attributes::Kind kind, std::size_t components) {
+  attributes::Attribute out;
+  out.kind = kind;
+  out.components = components;
+  return out;
+}
+
+/// A torus whose every face is a chart of its own, with colours and normals at the vertices.
+struct TiledFile : TorusFile {
+  TiledFile() : TorusFile("in.obj") {
+    attributes::Attribute texture = at_corners(attributes::Kind::texture, 2);
+    attributes::Attribute colour = at_corners(attributes::Kind::colour, 3);
+    attributes::Attribute normal = at_corners(attributes::Kind::normal, 3);
+    for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+      texture.corners.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+      const float x = static_cast<float>(f);
+      texture.values.insert(texture.values.end(), {x, 0, x + 1, 0, x, 1});
+    }
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      colour.values.insert(colour.values.end(), {1, 0, static_cast<float>(v % 2)});
+      normal.values.insert(normal.values.end(), {0, 0, 1});
+    }
+    files::write_mesh(path, mesh, {}, {texture, colour, normal});
+  }
+
+  programs::Outcome simplify(const std::string& out, std::vector<std::string> more) const {
+    std::vector<std::string> arguments{"simplify", path,       folder / out,    "--ratio",
+                                       "0.2",      "--module", "mq:charts=keep"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return whittle_program(arguments);
+  }
+  std::vector<attributes::Kind> kinds(const std::string& out) const {
+    std::vector<attributes::Kind> kinds;
+    for (const auto& attribute : files::read_mesh(folder / out).attributes) kinds.push_back(attribute.kind);
+    return kinds;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what the output cannot hold constrains nothing, and is said to be left out") {
+  const TiledFile in;
+  CHECK(in.simplify("out.obj", {}).code == 1);
+  const auto done = in.simplify("out.stl", {"--json", in.folder / "json"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.err, Contains("not written: normals, colours, texture coordinates") ||
+                           Contains("not written: colours, texture coordinates, normals"));
+  const Json json = Json::parse(programs::contents(in.folder / "json"));
+  CHECK(json["input"]["attributes"].size() == 3);
+  CHECK(json["output"]["attributes_left_out"].size() == 3);
+  CHECK(json["charts"]["before"] == 0);
+  // Unless a module is told to weigh it.
+  CHECK(in.simplify("out.stl", {"--module", "mq:charts=keep,texture=1"}).code == 2);
+  CHECK(whittle_program({"simplify", in.path, in.folder / "out.stl", "--ratio", "0.2", "--module",
+                         "mq:charts=keep,texture=1"})
+            .code == 1);
+}
+
+TEST_CASE("--drop leaves an attribute out, with what it would constrain") {
+  const TiledFile in;
+  CHECK(in.simplify("out.obj", {"--drop", "texture", "--json", in.folder / "json"}).code == 0);
+  CHECK(in.kinds("out.obj") == std::vector{attributes::Kind::colour, attributes::Kind::normal});
+  const Json json = Json::parse(programs::contents(in.folder / "json"));
+  CHECK(json["attributes_dropped"] == Json{"texture"});
+  CHECK(json["output"]["attributes_left_out"].empty());
+  CHECK(in.simplify("out.obj", {"--drop", "texture", "--drop", "normals", "--drop", "colours"}).code == 0);
+  CHECK(in.kinds("out.obj").empty());
+  const auto bad = in.simplify("out.obj", {"--drop", "smell"});
+  CHECK(bad.code == 2);
+  CHECK(bad.error_lines() == 1);
+  CHECK_THAT(bad.err, Contains("smell"));
+
+  // So it is in every command.
+  CHECK(whittle_program({"lods", in.path, "--levels", "3", "--out", in.folder / "lods.obj", "--drop",
+                         "texture", "--module", "mq:charts=keep"})
+            .code == 0);
+  CHECK(in.kinds("lods-lod2.obj").size() == 2);
+  CHECK(whittle_program({"batch", in.folder.path().string(), "--out", in.folder / "batch", "--drop",
+                         "texture", "--ratio", "0.2", "--quiet"})
+            .code == 0);
+  CHECK(in.kinds("batch/in.obj").size() == 2);
+}
