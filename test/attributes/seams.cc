@@ -353,10 +353,10 @@ TEST_CASE("the texture error leaves out charts that are gone") {
 }
 
 TEST_CASE("Seams: normals and colours that differ at corners make seams where asked") {
-  // A plate of 12 x 12 quads, red on the left and blue on the right, and flat normals that differ in the same place.
+  // A plate of 11 x 11 quads, red on the left and blue on the right, and flat normals that differ in the same place.
   const IndexedMesh mesh = meshes::flat_grid(12);
-  const std::vector<std::uint32_t> side = meshes::charts_by_centre(
-      mesh, [&](const meshes::Point& p) { return p.x() < mesh.points.back().x() / 2 ? 0u : 1u; });
+  const std::vector<std::uint32_t> side =
+      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() < 5 ? 0u : 1u; });
   Attribute colour{Kind::colour, "", 3, false, false, {1, 0, 0, 0, 0, 1}, {}};
   Attribute normal{Kind::normal, "", 3, false, false, {0, 0, 1, 0.6f, 0, 0.8f}, {}};
   for (const std::uint32_t s : side) {
@@ -387,7 +387,7 @@ TEST_CASE("Seams: normals and colours that differ at corners make seams where as
       for (const std::uint32_t value : now.corners[f])
         CHECK(std::equal(now.value(value), now.value(value) + 3, attribute.value(s)));
     }
-    CHECK(std::abs(after[0] - before[0]) < 1e-5 * before[0]);
-    CHECK(std::abs(after[1] - before[1]) < 1e-5 * before[1]);
+    CHECK(std::abs(after[0] - before[0]) < 1e-4 * before[0]);
+    CHECK(std::abs(after[1] - before[1]) < 1e-4 * before[1]);
   }
 }
