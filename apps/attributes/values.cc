@@ -1,5 +1,6 @@
 #include "attributes/values.hh"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 
@@ -34,6 +35,34 @@ double weight_of(Kind kind, const ValueWeights& weights) {
     default:
       return 0;
   }
+}
+
+ValueWeights default_weights(const IndexedMesh& mesh, const Attributes& attributes) {
+  double area = 0, texture_area = 0;
+  std::size_t components = 0;
+  const auto cross = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    return (b - a).cross(c - a).norm();
+  };
+  for (const auto& [a, b, c] : mesh.triangles)
+    area += cross(mesh.points[a], mesh.points[b], mesh.points[c]) / 2;
+  ValueWeights weights;
+  for (const Attribute& attribute : attributes) {
+    if (attribute.kind == Kind::colour) {
+      weights.colours = 0.003 * std::sqrt(area);
+      components += attribute.components;
+    }
+    if (attribute.kind != Kind::texture) continue;
+    components += attribute.components;
+    const auto place = [&](std::size_t face, std::size_t corner) {
+      const float* uv = attribute.value(attribute.at(mesh, face, corner));
+      return Eigen::Vector3d(uv[0], uv[1], 0);
+    };
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+      texture_area += cross(place(f, 0), place(f, 1), place(f, 2)) / 2;
+  }
+  if (texture_area > 0) weights.texture = 0.1 * std::sqrt(area / texture_area);
+  const bool is_sound = std::isfinite(weights.colours) && std::isfinite(weights.texture);
+  return is_sound && components <= SurfaceExtras::kMostValues ? weights : ValueWeights();
 }
 
 WeightedValues weighted_values(const IndexedMesh& mesh, const Attributes& attributes,

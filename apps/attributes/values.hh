@@ -14,6 +14,11 @@ namespace whittle::attributes {
 /// What is weighed of a kind of attribute.
 double weight_of(Kind kind, const ValueWeights& weights);
 
+/// What colours and texture coordinates weigh where nobody says otherwise, in model units for a difference of 1: colours
+/// 0.003 of the root of the area, texture coordinates 0.1 of the length that they are stretched by on average, the root of
+/// the area over that in the texture. Measured (docs/modules/MemorylessQuadric.md); nothing where there are more than a planner weighs.
+ValueWeights default_weights(const IndexedMesh& mesh, const Attributes& attributes);
+
 /// For each vertex `count` values times their weights; not a number where the corners of a vertex disagree.
 struct WeightedValues {
   std::vector<float> values;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "cli/RecipeOptions.hh"
+#include "cli/changes.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
@@ -64,7 +65,8 @@ Json names(const attributes::Attributes& attributes) {
 }
 
 Json describe(const Options& options, const recipe::Recipe& recipe, const files::MeshFile& in,
-              const Json& attributes_read, const recipe::Result& result, const files::WriteReport& written) {
+              const Json& attributes_read, const Json& changes, const recipe::Result& result,
+              const files::WriteReport& written) {
   Json stages = Json::array();
   for (const recipe::StageResult& stage : result.stages) stages.push_back(to_json(stage));
   return {{"command", "simplify"},
@@ -82,6 +84,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
             {"attributes_left_out", written.left_out},
             {"reduced", written.reduced}}},
           {"attributes_dropped", options.drop},
+          {"attribute_changes", changes},
           {"locks", options.locks},
           {"vertices_locked", result.held},
           {"charts", {{"before", result.charts}, {"gone", result.charts_gone}}},
@@ -101,7 +104,8 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
           {"nonmanifold_faces_dropped", result.refused_faces}};
 }
 
-std::string summary(const Options& options, const files::MeshFile& in, const recipe::Result& result) {
+std::string summary(const Options& options, const files::MeshFile& in, const Json& changes,
+                    const recipe::Result& result) {
   const double before = static_cast<double>(in.mesh.triangles.size());
   const double after = static_cast<double>(result.mesh.triangles.size());
   double seconds = 0;
@@ -119,6 +123,7 @@ std::string summary(const Options& options, const files::MeshFile& in, const rec
         text::format("  %zu of %zu pieces have vanished, with %zu faces of the input\n", result.pieces_gone,
                      result.pieces_gone + result.attainable.pieces, result.faces_of_pieces_gone);
   if (result.distance) out += text::format("  distance to the input: %s\n", figure(*result.distance).c_str());
+  out += changes_line(changes);
   if (!options.verbose) return out;
   for (const auto& stage : result.stages) {
     out += text::format("  %s: %zu to %zu faces, driver %s, %zu passes, plan %.1f ms, execute %.1f ms\n",
@@ -200,6 +205,8 @@ int simplify(const Options& options) {
   const recipe::Givens givens = make_givens(options, in);
   std::vector<std::string> left_out = drop_attributes(options, options.out, format, in);
   const recipe::Result result = recipe::run(in.mesh, recipe, {}, givens);
+  const bool is_told = !options.quiet || !options.json.empty();
+  const Json changes = is_told ? attribute_changes(in, result) : Json(nullptr);
 
   format.single_precision = in.single_precision;
   format.texture_at_vertices = in.texture_at_vertices;
@@ -208,12 +215,13 @@ int simplify(const Options& options) {
   out.report.left_out = std::move(left_out);
   outputs.write("OUT", std::move(out.bytes));
   outputs.write("--map", map_text(in, result, out.report));
-  outputs.write("--json", json_text(describe(options, recipe, in, attributes_read, result, out.report)));
+  outputs.write("--json",
+                json_text(describe(options, recipe, in, attributes_read, changes, result, out.report)));
   outputs.commit();
   warn(options, result, out.report);
   int code = complain_about_misses(recipe, in, result);
   const bool stdout_is_taken = options.out == "-" || options.map == "-" || options.json == "-";
-  if (!options.quiet && !stdout_is_taken && !print_summary(summary(options, in, result))) code = 1;
+  if (!options.quiet && !stdout_is_taken && !print_summary(summary(options, in, changes, result))) code = 1;
   return code;
 }
 

@@ -21,9 +21,13 @@ namespace whittle::recipe {
 namespace {
 
 /// What a module weighs of the attributes.
-ValueWeights value_weights(const Spec& module, const Scale& scale) {
-  const auto weight = [&](const char* key) { return module.length(key, scale).value_or(0); };
-  return {weight("normals"), weight("colours"), weight("texture")};
+/// \param defaults  what it weighs where its specification does not say
+ValueWeights value_weights(const Spec& module, const Scale& scale, const ValueWeights& defaults = {}) {
+  const auto weight = [&](const char* key, double otherwise) {
+    return find_module(module.name).find(key) ? module.length(key, scale).value_or(otherwise) : 0;
+  };
+  return {weight("normals", defaults.normals), weight("colours", defaults.colours),
+          weight("texture", defaults.texture)};
 }
 
 void add_values(const IndexedMesh& mesh, const attributes::Attributes& attributes, const Spec& module,
@@ -46,7 +50,9 @@ SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& s
   SurfaceExtras extras;
   extras.flags = givens.flags;
   extras.tolerance = givens.tolerance;
-  const ValueWeights weights = value_weights(module, scale);
+  const ValueWeights weights = value_weights(
+      module, scale,
+      givens.attributes ? attributes::default_weights(mesh, *givens.attributes) : ValueWeights());
   if (weights.any())
     add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), module, weights,
                extras);

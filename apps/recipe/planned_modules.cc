@@ -236,8 +236,8 @@ Module mq() {
   module.meaning = "down to the target, as true to the shape as possible; needs a target or a bound";
   module.keys = {
       length_key("normals", "how far a difference of 1 counts as", "0"),
-      length_key("colours", "the same", "0"),
-      length_key("texture", "the same of texture coordinates", "0"),
+      length_key("colours", "the same", "0.003 of the area's root"),
+      length_key("texture", "the same of texture coordinates", "0.1 of their mean stretch"),
       degrees_key("feature", "sharper edges keep their line", MemorylessQuadric().feature_angle),
       length_key("max-distance", "how far a vertex of the input may come to lie from the faces", "no bound"),
       choice_key("charts", {"vanish", "keep"}, "keep: no chart of the texture loses its last face"),

@@ -1,5 +1,6 @@
 /// \file
 /// Attributes that are left out, and attributes that make seams, through whittle simplify.
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "TorusFile.hh"
@@ -93,4 +94,31 @@ TEST_CASE("--drop leaves an attribute out, with what it would constrain") {
                          "texture", "--ratio", "0.2", "--quiet"})
             .code == 0);
   CHECK(in.kinds("batch/in.obj").size() == 2);
+}
+
+TEST_CASE("texture coordinates and colours count by default, and how far each has changed is told") {
+  // A plate with a disc that is red, and a texture that is mirrored in the middle.
+  programs::Folder folder;
+  const IndexedMesh mesh = meshes::flat_grid(41);
+  attributes::Attribute texture = at_corners(attributes::Kind::texture, 2);
+  attributes::Attribute colour = at_corners(attributes::Kind::colour, 3);
+  for (const auto& p : mesh.points) {
+    const float x = static_cast<float>(p.x()) / 40, y = static_cast<float>(p.y()) / 40;
+    texture.values.insert(texture.values.end(), {std::abs(2 * x - 1), y});
+    const bool is_red = std::hypot(x - 0.5F, y - 0.5F) < 0.3F;
+    colour.values.insert(colour.values.end(), {1, is_red ? 0.0F : 1.0F, is_red ? 0.0F : 1.0F});
+  }
+  const auto changes = [&](const attributes::Attribute& attribute, const std::string& module) {
+    files::write_mesh(folder / "in.ply", mesh, {}, {attribute});
+    const auto done = whittle_program({"simplify", folder / "in.ply", folder / "out.ply", "--ratio", "0.05",
+                                       "--module", module, "--json", folder / "json"});
+    INFO(done.err);
+    CHECK(done.code == 0);
+    CHECK_THAT(done.out, Contains("attributes off by"));
+    return Json::parse(programs::contents(folder / "json"))["attribute_changes"];
+  };
+  CHECK(changes(texture, "mq")["texture"]["rms_texels_of_1024"] < 1);
+  CHECK(changes(texture, "mq:texture=0")["texture"]["rms_texels_of_1024"] > 10);
+  CHECK(changes(colour, "mq")["colours"]["rms_255ths"] < 10);
+  CHECK(changes(colour, "mq:colours=0")["colours"]["rms_255ths"] > 20);
 }

@@ -1,0 +1,21 @@
+/// \file
+/// How far a run has changed the attributes, as `simplify` reports it.
+#pragma once
+
+#include <string>
+
+#include "cli/report.hh"
+#include "files/MeshFile.hh"
+#include "recipe/Recipe.hh"
+
+namespace whittle::cli {
+
+/// For each kind of attribute that both have, of its first set, `rms` and `max` over 20,000 samples of the input: of texture
+/// coordinates in texels of a texture of 1,024 across, of colours in 255ths of a colour's components, of normals in degrees.
+/// Null where nothing can be measured.
+Json attribute_changes(const files::MeshFile& in, const recipe::Result& result);
+
+/// The same as a line of text with its line break; empty where there is nothing to say.
+std::string changes_line(const Json& changes);
+
+}  // namespace whittle::cli
