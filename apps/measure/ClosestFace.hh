@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -36,6 +37,8 @@ class ClosestFace {
 
   /// All faces within a distance of a point, in ascending order.
   std::vector<std::size_t> within(const Eigen::Vector3d& point, double distance) const;
+  /// The same, but of faces that coincide, corner for corner the same way around, only the first.
+  std::vector<std::size_t> distinct_within(const Eigen::Vector3d& point, double distance) const;
 
  private:
   struct Release {
@@ -43,10 +46,15 @@ class ClosestFace {
     void operator()(RTCSceneTy* scene) const;
   };
 
+  void find_distinct();
+
   template <typename Visit>
   void search(const Eigen::Vector3d& point, double distance, Visit visit) const;
 
   const Surface& surface_;
+  std::vector<std::uint32_t> faces_;  // in the tree: the first of those that coincide, ascending
+  std::vector<std::uint32_t>
+      next_;  // of each face the next one that coincides with it, itself if there is none
   Eigen::Vector3d centre_;
   double scale_ = 1;  // Embree's coordinates are (point - centre_) * scale_, within [-0.5, 0.5]
   std::unique_ptr<RTCDeviceTy, Release> device_;

@@ -70,7 +70,7 @@ std::size_t count_flipped(const Surface& simplified, const Surface& original,
           const auto nearest = closest_original.closest(centroid);
           if (!turned(nearest.face)) continue;
           const double tie = std::sqrt(nearest.squared_distance) * (1 + 1e-9) + 1e-12 * diagonal;
-          const auto equally_near = closest_original.within(centroid, tie);
+          const auto equally_near = closest_original.distinct_within(centroid, tie);
           if (std::all_of(equally_near.begin(), equally_near.end(), turned)) ++flipped;
         }
         return flipped;

@@ -26,6 +26,13 @@ bool has_area(const IndexedMesh& mesh) {
   });
 }
 
+/// How far points on a surface are measured from the same surface: a bound below that would never be kept.
+double rounding(const IndexedMesh& mesh) {
+  double largest = 0;
+  for (const auto& p : mesh.points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return 16 * std::numeric_limits<double>::epsilon() * largest;
+}
+
 Attempt attempt(const Task& task, double bound) {
   Attempt tried{run_stages(task), {}};
   const IndexedMesh& after = tried.result.mesh;
@@ -232,7 +239,8 @@ Result hold_and_repeat(Task task, double bound) {
 
 }  // namespace
 
-Result run_bounded(const Task& task, double bound) {
+Result run_bounded(const Task& task, double asked) {
+  const double bound = std::max(asked, rounding(task.mesh));
   if (goes_by_error(task)) return stop_at_bound(task, bound);
   Task copy = task;
   if (Stage* stage = open_stage(copy)) {

@@ -36,9 +36,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   app.add_option("models", models, "Mesh files (default: the bunny and the dragon in assets/cache)");
   app.add_option("--suite", suite,
                  "figures: all contenders; growth: how times grow with the model; all: both; truth: error "
-                 "and topology of mq")
+                 "and topology of mq; shapes: how times grow where very many faces meet")
       ->capture_default_str()
-      ->check(CLI::IsMember({"figures", "growth", "all", "truth"}));
+      ->check(CLI::IsMember({"figures", "growth", "all", "truth", "shapes"}));
   app.add_option("--rounds", line.rounds, "How often each contender is timed (default: 7; growth: 3)")
       ->check(CLI::Range(1, 1000));
   app.add_option("--samples", line.samples, "Samples a side for the distances of the results")
@@ -65,6 +65,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(one_line(error.what()));
   }
+  line.shapes = suite == "shapes";
+  if (line.shapes && !(report.empty() && models.empty()))
+    throw UsageError("--suite shapes makes its meshes itself: it takes no models and no --report");
   if (!report.empty() && !models.empty()) throw UsageError("--report takes results, no models");
   if (line.name.empty() || line.name.find('/') != std::string::npos)
     throw UsageError("--name: \"" + line.name + "\" is no name of a file");

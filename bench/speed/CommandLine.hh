@@ -32,6 +32,7 @@ struct CommandLine {
   std::filesystem::path out = "results";
   std::string name = "speed";                 ///< of the two files
   std::vector<std::filesystem::path> report;  ///< runs to report on, instead of a run
+  bool shapes = false;                        ///< the table of shapes instead of suites
   bool quiet = false;
   std::string answer;  ///< the text of --help or --version: print it and be done
 

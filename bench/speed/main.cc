@@ -7,6 +7,7 @@
 #include "speed/json.hh"
 #include "speed/markdown.hh"
 #include "speed/models.hh"
+#include "speed/shapes.hh"
 #include "speed/threads.hh"
 
 namespace {
@@ -27,6 +28,14 @@ void report(const speed::CommandLine& line) {
   const std::string page = speed::markdown(runs);
   std::filesystem::create_directories(line.out);
   files::write_file(file(line, ".md"), page);
+}
+
+void run_shapes(const speed::CommandLine& line) {
+  terminal::Progress progress(std::cerr, terminal::style_on_stderr(line.quiet));
+  if (line.threads) speed::confine(*line.threads);
+  std::filesystem::create_directories(line.out);
+  files::check_creatable(file(line, ".md"));
+  files::write_file(file(line, ".md"), speed::shapes_page(line.only, progress));
 }
 
 void run(const speed::CommandLine& line) {
@@ -60,7 +69,9 @@ int main(int argc, char** argv) {
       std::cout << line.answer;
       return 0;
     }
-    if (line.report.empty())
+    if (line.shapes)
+      run_shapes(line);
+    else if (line.report.empty())
       run(line);
     else
       report(line);

@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "whittle/plan/PlanDraft.hh"
+#include "whittle/openmesh/HalfedgeCollapse.hh"
+#include "whittle/plan/FlipGuard.hh"
 #include "whittle/surface/constants.hh"
 #include "whittle/surface/errors.hh"
 
@@ -130,6 +131,7 @@ class DelaunayFlipperT {
   }
 
   Mesh& mesh_;
+  detail::HalfedgeCollapseT<Mesh> connectivity_;
   const DelaunayFlips& options_;
   const std::vector<bool>& region_;
   double min_dihedral_cos_;
@@ -168,6 +170,7 @@ template <typename Mesh>
 DelaunayFlipperT<Mesh>::DelaunayFlipperT(Mesh& mesh, const DelaunayFlips& options,
                                          const std::vector<bool>& region)
     : mesh_(mesh),
+      connectivity_(mesh),
       options_(options),
       region_(region),
       // Rounding may take the cosine of two equal unit normals a few ulps below 1, hence the allowance.
@@ -236,7 +239,8 @@ auto DelaunayFlipperT<Mesh>::judge(EdgeHandle e) const -> Verdict {
   const Verdict shape = judge_shape(q);
   if (shape != Verdict::flips) return shape;
   // An inner vertex of three edges is safe too: the two vertices opposite to such an edge are connected.
-  return mesh_.is_flip_ok(e) ? Verdict::flips : Verdict::refused_by_topology;
+  return q.c != q.d && !connectivity_.find_from_either(q.c, q.d).is_valid() ? Verdict::flips
+                                                                            : Verdict::refused_by_topology;
 }
 
 template <typename Mesh>

@@ -69,6 +69,7 @@ void LazyDecimaterT<MeshT>::judge(VertexHandle v, bool only_legal) {
     best = priority;
     candidate.collapse = *h;
     candidate.queued = true;
+    if (best == 0) break;  // nothing can be better
   }
   if (candidate.queued) queue_.push({best, v.idx(), candidate.version});
 }

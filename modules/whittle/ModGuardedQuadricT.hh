@@ -6,6 +6,7 @@
 // clang-format off
 #include <OpenMesh/Core/Utils/vector_traits.hh>
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
+#include <OpenMesh/Core/Geometry/VectorT.hh>
 // clang-format on
 #include <Eigen/Geometry>
 #include <OpenMesh/Core/Mesh/Handles.hh>
@@ -15,6 +16,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "whittle/surface/errors.hh"
@@ -72,13 +75,14 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   void set_weight(OpenMesh::VPropHandleT<float> weight) { weight_ = weight; }
 
   /// \throw InvalidParameter  a weight that is negative or not finite.
+  /// \throw InvalidMesh       a coordinate that is not finite.
   void initialize() override;
 
   float collapse_priority(const CollapseInfo& ci) override {
     Quadric sum = quadrics_[index(ci.v0)];
     sum += quadrics_[index(ci.v1)];
-    const double error = sum(ci.p1);
-    if (!(error < max_err_) || (min_cos_ > -1 && turns_a_face(ci)))
+    const double error = scale_ == 1 ? sum(ci.p1) : sum(scaled(ci.v1));
+    if (!(error < limit()) || (min_cos_ > -1 && turns_a_face(ci)))
       return static_cast<float>(Base::ILLEGAL_COLLAPSE);
     return static_cast<float>(error);
   }
@@ -104,7 +108,15 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   Vector point(VertexHandle v) const {
     const auto& p = mesh_ref().point(v);
-    return {double(p[0]), double(p[1]), double(p[2])};
+    return scale_ * Vector(double(p[0]), double(p[1]), double(p[2]));
+  }
+  double limit() const {
+    constexpr double kNone = std::numeric_limits<double>::max();
+    return max_err_ < kNone ? max_err_ * square_ * square_ : kNone;
+  }
+  OpenMesh::Vec3d scaled(VertexHandle v) const {
+    const Vector p = point(v);
+    return {p[0], p[1], p[2]};
   }
   const MeshT& mesh_ref() const { return const_cast<ModGuardedQuadricT*>(this)->Base::mesh(); }
 
@@ -122,20 +134,28 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     return !(twice_area > 4e-12 * longest);
   }
 
+  void choose_scale();
   void add_face(typename MeshT::FaceHandle f);
   void add_boundary(HalfedgeHandle outside);
-  bool turns_a_face(const CollapseInfo& ci) const;
+  bool turns_a_face(const CollapseInfo& ci);
+  /// Whether the face of an outgoing half-edge of v0 stays and turns too far, or loses its area.
+  bool turns_face_of(HalfedgeHandle h, const CollapseInfo& ci) const;
 
+  static constexpr std::size_t kMany = 64;  // faces, of which a vertex with more is a hub
   double max_err_ = std::numeric_limits<double>::max();
   double boundary_weight_ = 10, min_cos_ = 0.2;
   OpenMesh::VPropHandleT<float> weight_;
   std::vector<Quadric> quadrics_;  // of each vertex
   std::vector<Vector> normals_;    // of each face at initialize()
+  double scale_ = 1, square_ = 1;  // a power of two that coordinates are multiplied by, and its square
+  std::unordered_map<int, HalfedgeHandle> turned_;  // of a hub, a half-edge whose face turned too far before
 };
 
 template <typename MeshT>
 void ModGuardedQuadricT<MeshT>::initialize() {
   MeshT& mesh = Base::mesh();
+  choose_scale();
+  turned_.clear();
   quadrics_.assign(mesh.n_vertices(), Quadric());
   for (Quadric& quadric : quadrics_) quadric.clear();
   normals_.assign(mesh.n_faces(), Vector::Zero());
@@ -150,6 +170,27 @@ void ModGuardedQuadricT<MeshT>::initialize() {
       throw InvalidParameter("a vertex has a weight that is negative or not finite");
     quadrics_[index(v)] *= double(weight);
   }
+}
+
+/// An error is the fourth power of a length, and a priority is a float: very large or small coordinates are scaled.
+/// By a power of two, so that the order of collapses is the same.
+template <typename MeshT>
+void ModGuardedQuadricT<MeshT>::choose_scale() {
+  const MeshT& mesh = mesh_ref();
+  constexpr int kLeast = -16, kMost = 24, kLargest = 1000;  // powers of two
+  double largest = 0;
+  for (const auto v : mesh.vertices())
+    for (unsigned i = 0; i < 3; ++i) {
+      const double x = std::abs(double(mesh.point(v)[i]));
+      if (!std::isfinite(x))
+        throw InvalidMesh("vertex " + std::to_string(v.idx()) + " has a coordinate that is not finite");
+      largest = std::max(largest, x);
+    }
+  int exponent = 0;
+  if (largest > 0) std::frexp(largest, &exponent);
+  const bool is_usual = exponent >= kLeast && exponent <= kMost;
+  scale_ = is_usual ? 1 : std::ldexp(1.0, std::min(-exponent, kLargest));
+  square_ = scale_ * scale_;
 }
 
 template <typename MeshT>
@@ -180,21 +221,37 @@ void ModGuardedQuadricT<MeshT>::add_boundary(HalfedgeHandle outside) {
   quadrics_[index(b)] += quadric;
 }
 
-/// Whether one of the faces that stay would turn too far, or lose its area.
 template <typename MeshT>
-bool ModGuardedQuadricT<MeshT>::turns_a_face(const CollapseInfo& ci) const {
+bool ModGuardedQuadricT<MeshT>::turns_face_of(HalfedgeHandle h, const CollapseInfo& ci) const {
   const MeshT& mesh = mesh_ref();
-  const Vector target = point(ci.v1);
+  const auto f = mesh.face_handle(h);
+  if (!f.is_valid() || f == ci.fl || f == ci.fr) return false;
+  const Vector target = point(ci.v1), b = point(mesh.to_vertex_handle(h)),
+               c = point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
+  const Vector normal = (b - target).cross(c - target);
+  const Vector& before = normals_[index(f)];
+  if (before.isZero(0)) return false;
+  const double length = normal.norm();
+  return !(normal.dot(before) > min_cos_ * length) || is_flat(length, target, b, c);
+}
+
+/// Whether one of the faces that stay would turn too far, or lose its area. All neighbours of a hub ask about the same
+/// faces, so the one that turned for another is looked at first.
+template <typename MeshT>
+bool ModGuardedQuadricT<MeshT>::turns_a_face(const CollapseInfo& ci) {
+  const MeshT& mesh = mesh_ref();
+  if (const auto known = turned_.find(ci.v0.idx()); known != turned_.end()) {
+    const HalfedgeHandle h = known->second;
+    const bool is_there = mesh.from_vertex_handle(h) == ci.v0 &&
+                          !(mesh.has_edge_status() && mesh.status(mesh.edge_handle(h)).deleted());
+    if (is_there && turns_face_of(h, ci)) return true;
+  }
+  std::size_t n = 0;
   for (auto h = mesh.cvoh_iter(ci.v0); h.is_valid(); ++h) {
-    const auto f = mesh.face_handle(*h);
-    if (!f.is_valid() || f == ci.fl || f == ci.fr) continue;
-    const Vector b = point(mesh.to_vertex_handle(*h)),
-                 c = point(mesh.to_vertex_handle(mesh.next_halfedge_handle(*h)));
-    const Vector normal = (b - target).cross(c - target);
-    const Vector& before = normals_[index(f)];
-    if (before.isZero(0)) continue;
-    const double length = normal.norm();
-    if (!(normal.dot(before) > min_cos_ * length) || is_flat(length, target, b, c)) return true;
+    ++n;
+    if (!turns_face_of(*h, ci)) continue;
+    if (n > kMany) turned_[ci.v0.idx()] = *h;
+    return true;
   }
   return false;
 }

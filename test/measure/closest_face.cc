@@ -100,3 +100,19 @@ TEST_CASE("the closest of equally close faces is the first, and all of them are 
   CHECK(tree.within({0.5, 0.5, 3}, 2) == std::vector<std::size_t>{0, 1, 2, 3});
   CHECK(tree.within({0.5, 0.5, 3}, 1.99).empty());
 }
+
+TEST_CASE("of faces that coincide the first is the closest, and all of them are within the distance") {
+  IndexedMesh mesh = tent(1);  // four faces
+  const auto own = mesh.triangles;
+  for (const auto& t : own) mesh.triangles.push_back({t[1], t[2], t[0]});  // the same ones, begun elsewhere
+  for (const auto& t : own) mesh.triangles.push_back({t[0], t[2], t[1]});  // turned over
+  mesh.points.insert(mesh.points.end(),
+                     {mesh.points[own[1][0]], mesh.points[own[1][1]], mesh.points[own[1][2]]});
+  const auto n = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.triangles.push_back({n - 3, n - 2, n - 1});  // on vertices of its own
+  const Surface surface(mesh);
+  const ClosestFace tree(surface, 1);
+  CHECK(tree.closest({0.5, 0.5, 3}).face == 0);
+  CHECK(tree.within({0.5, 0.5, 3}, 2) == std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+  CHECK(tree.distinct_within({0.5, 0.5, 3}, 2) == std::vector<std::size_t>{0, 1, 2, 3, 8, 9, 10, 11});
+}

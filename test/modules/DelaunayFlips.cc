@@ -298,3 +298,37 @@ TEMPLATE_TEST_CASE("a curved surface keeps its topology", "", Mesh, DoubleMesh, 
     CHECK(flips(mesh) == figures);  // a second run finds nothing more, and refuses the same
   }
 }
+
+TEST_CASE("an edge whose angles sum to 180 degrees but for rounding stays") {
+  CHECK(flips_of(diamond(1 - 2.4e-7)) == kNone);
+  CHECK(flips_of(diamond(1 - 1e-5)) == kFlip);
+}
+
+TEST_CASE("edges in a plane flip at a dihedral angle of 0, however the plane lies") {
+  std::size_t flipped = 0;
+  for (int i = 0; i < 40; ++i) {
+    IndexedMesh in = diamond();
+    for (auto& p : in.points) p = Eigen::AngleAxisd(0.1 * i, Eigen::Vector3d(1, 2, 3).normalized()) * p;
+    DoubleMesh mesh = fixture::to_openmesh<DoubleMesh>(in);
+    flipped += flips(mesh, with(0)) == kFlip;
+  }
+  CHECK(flipped == 40);
+}
+
+TEST_CASE("a diamond flips at any size") {
+  for (const double size : {1e-6, 1e-3, 1e3, 1e6}) {
+    IndexedMesh in = diamond();
+    for (auto& p : in.points) p *= size;
+    CHECK(flips_of(in) == kFlip);
+  }
+}
+
+TEST_CASE("half-edge normals that are equal but for rounding make no seam") {
+  for (const auto& [difference, expected] : {std::pair(5e-4f, kFlip), std::pair(5e-3f, kKept)}) {
+    Mesh mesh = fixture::to_openmesh<Mesh>(diamond());
+    mesh.request_halfedge_normals();
+    for (const auto h : mesh.all_halfedges())
+      mesh.set_normal(h, Mesh::Normal(h == mesh.halfedge_handle(kDiagonal, 0) ? difference : 0, 0, 1));
+    CHECK(flips(mesh) == expected);
+  }
+}

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "OpenMeshFixture.hh"
 #include "measure/MeshFacts.hh"
@@ -134,4 +135,109 @@ TEST_CASE("the guarded quadric refuses what means nothing") {
   for (const auto v : mesh.vertices()) mesh.property(weight, v) = -1;
   module.set_weight(weight);
   CHECK_THROWS_AS(module.initialize(), InvalidParameter);
+}
+
+namespace {
+
+/// A module of its own, and what it says of a collapse.
+struct Judge {
+  explicit Judge(const IndexedMesh& in, double min_cos = -1)
+      : mesh(fixture::to_openmesh<Mesh>(in)), module(mesh) {
+    module.set_flip_guard(min_cos);
+    module.initialize();
+  }
+  OpenMesh::Decimater::CollapseInfoT<Mesh> collapse(int from, int onto) {
+    return {mesh, mesh.find_halfedge(Mesh::VertexHandle(from), Mesh::VertexHandle(onto))};
+  }
+  float error(int from, int onto) { return module.collapse_priority(collapse(from, onto)); }
+  Mesh mesh;
+  Guarded module;
+};
+
+constexpr float kIllegal = float(Guarded::ILLEGAL_COLLAPSE);
+
+}  // namespace
+
+TEST_CASE("the guarded quadric weighs faces by area and the boundary by ten times its length squared") {
+  // Faces 0 3 4 and 0 5 3 of an octahedron do not have 1; their area is sqrt(3) / 2, their planes 2 / sqrt(3) from it.
+  Judge closed(meshes::octahedron());
+  CHECK(closed.error(0, 1) == Approx(4 / std::sqrt(3.0)).epsilon(1e-6));
+  // A survivor has the planes of both: those of 0 are as far from 4 as from 1.
+  const float before = closed.error(1, 4);
+  closed.module.postprocess_collapse(closed.collapse(0, 1));
+  CHECK(closed.error(1, 4) - before == Approx(4 / std::sqrt(3.0)).epsilon(1e-6));
+
+  // A strip of squares of side 2: from the middle of one side to that of the other, past two edges.
+  IndexedMesh strip = meshes::strip(3, 1);
+  for (auto& p : strip.points) p *= 2;
+  Judge open(strip);
+  CHECK(open.error(1, 4) == Approx(2 * 10 * 4 * 4));
+  open.module.set_boundary_weight(3);
+  open.module.initialize();
+  CHECK(open.error(1, 4) == Approx(2 * 3 * 4 * 4));
+}
+
+TEST_CASE("the guarded quadric's largest error is just not allowed, and scales from where it was set") {
+  IndexedMesh strip = meshes::strip(3, 1);
+  for (auto& p : strip.points) p *= 2;
+  Judge judge(strip);
+  judge.module.set_max_err(320, false);
+  CHECK(judge.error(1, 4) == kIllegal);
+  judge.module.set_max_err(321, true);
+  CHECK(judge.error(1, 4) != kIllegal);
+  judge.module.set_error_tolerance_factor(0.5);
+  CHECK(judge.module.max_err() == 160.5);
+  judge.module.set_error_tolerance_factor(1);
+  CHECK(judge.module.max_err() == 321);
+}
+
+TEST_CASE("the guarded quadric leaves a face that has an area, however thin") {
+  for (const auto& [height, is_legal] : {std::pair(1e-11, false), std::pair(1e-10, true)}) {
+    IndexedMesh fan;
+    fan.points = {{1.2, 0.8, 0}, {0, 0, 0}, {1, 0, 0}, {2, height, 0}, {2, 2, 0}, {0, 2, 0}};
+    for (std::uint32_t i = 1; i <= 5; ++i) fan.triangles.push_back({0, i, i % 5 + 1});
+    CHECK((Judge(fan, 0.2).error(0, 1) != kIllegal) == is_legal);  // leaves 1 2 3
+  }
+}
+
+TEST_CASE("the guarded quadric decimates alike at any size that coordinates can have") {
+  using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
+  const IndexedMesh torus = meshes::shaken(meshes::torus(16, 12), 0.01, 1);
+  const auto left_at = [&](int exponent) {
+    IndexedMesh in = torus;
+    for (auto& p : in.points) p = p.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
+    auto mesh = fixture::to_openmesh<DoubleMesh>(in);
+    mesh.request_vertex_status();
+    mesh.request_edge_status();
+    mesh.request_face_status();
+    LazyDecimaterT<DoubleMesh> decimater(mesh);
+    ModGuardedQuadricT<DoubleMesh>::Handle handle;
+    decimater.add(handle);
+    decimater.initialize();
+    decimater.decimate_to_faces(0, 100);
+    return to_indexed(mesh).triangles;
+  };
+  const auto expected = left_at(0);
+  CHECK(expected.size() <= 100);
+  for (const int exponent : {-960, -300, -40, -10, 10, 40, 300, 1020}) CHECK((left_at(exponent) == expected));
+
+  Mesh broken = fixture::to_openmesh<Mesh>(meshes::octahedron());
+  broken.set_point(Mesh::VertexHandle(2), {0, INFINITY, 0});
+  Guarded module(broken);
+  CHECK_THROWS_AS(module.initialize(), InvalidMesh);
+}
+
+TEST_CASE(
+    "the guarded quadric refuses the same at a vertex of very many faces, whichever edge is asked first") {
+  for (const int n : {40, 70, 130}) {
+    IndexedMesh cone = meshes::cone(n, 3);
+    for (std::size_t i = 1; i < cone.points.size(); ++i)
+      if (i % 7 == 0) cone.points[i] *= 0.5;  // dents in the rim
+    Judge judge(cone, 0.2);
+    std::vector<bool> forth, back;
+    for (int i = 1; i <= n; ++i) forth.push_back(judge.error(0, i) != kIllegal);
+    for (int i = n; i >= 1; --i) back.push_back(Judge(cone, 0.2).error(0, i) != kIllegal);
+    std::reverse(back.begin(), back.end());
+    CHECK(forth == back);
+  }
 }

@@ -93,6 +93,16 @@ inline void update_values(Mesh& mesh, Corner c, const Vec& target, float along, 
   values.set(to, merged, sum);
 }
 
+/// Whether the vertex with very many faces is the end of a half-edge either of whose ends may survive. It survives then:
+/// who carries the plan out goes around the vertex that vanishes, and would go around this one again and again.
+inline bool is_hub_at_end(const Mesh& mesh, Corner c, const Worker& worker) {
+  constexpr std::size_t kMany = 64;
+  const std::size_t at_start = worker.ring.n_at_start(), at_end = worker.ring.size() - at_start;
+  if (at_end < at_start + kMany || at_start == 0) return false;
+  const std::uint32_t start = mesh.table.vertex(c), end = mesh.table.vertex(next(c));
+  return mesh.hold(start, end) == kFree && (mesh.table.is_open(end) || !mesh.table.is_open(start));
+}
+
 /// Collapses the edge that the worker has just judged.
 /// \param unqueued  half-edges of two queued edges that have become one, which is not queued; or kNoCorner.
 inline Collapse collapse(Mesh& mesh, Corner c, const Placement& placement, const Worker& worker,
@@ -107,7 +117,7 @@ inline Collapse collapse(Mesh& mesh, Corner c, const Placement& placement, const
   update_ring(mesh, c, worker, quadric);
   if (!mesh.values.empty()) update_values(mesh, c, target, along, worker, quadric);
 
-  if (mesh.keeps_end(c))
+  if (mesh.keeps_end(c) || is_hub_at_end(mesh, c, worker))
     std::swap(mesh.input[from], mesh.input[to]);  // the table merges the end into the start
   unqueued = {fuse(mesh, c), d == kNoCorner ? kNoCorner : fuse(mesh, d)};
   if (mesh.has_seams) fuse_seams(mesh, c);

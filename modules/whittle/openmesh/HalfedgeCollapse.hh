@@ -47,9 +47,14 @@ class HalfedgeCollapseT {
     return HalfedgeHandle();
   }
 
+  /// The same in a time that depends on the vertex with fewer edges.
+  HalfedgeHandle find_from_either(VertexHandle from, VertexHandle to) const;
+
   void collapse(HalfedgeHandle h);
 
  private:
+  static constexpr std::size_t kMany =
+      64;  // edges, of which a vertex with more is a hub: its neighbours ask instead
   HalfedgeHandle next(HalfedgeHandle h) const { return mesh_.next_halfedge_handle(h); }
   HalfedgeHandle opposite(HalfedgeHandle h) const { return mesh_.opposite_halfedge_handle(h); }
   HalfedgeHandle rotated(HalfedgeHandle h) const { return next(opposite(h)); }
@@ -64,6 +69,7 @@ class HalfedgeCollapseT {
     return rotated(next(h)) == opposite(mesh_.prev_halfedge_handle(opposite(h)));
   }
   bool rings_meet_elsewhere(VertexHandle v0, VertexHandle v1, VertexHandle vl, VertexHandle vr);
+  bool rings_meet_at_hub(VertexHandle v0, VertexHandle v1, VertexHandle vl, VertexHandle vr) const;
 
   /// `kept` takes the place of the other half-edge of `vanishing`, after the face that both are in.
   void replace(HalfedgeHandle kept, HalfedgeHandle vanishing);
@@ -103,7 +109,8 @@ bool HalfedgeCollapseT<Mesh>::is_legal(HalfedgeHandle h) {
   if (is_boundary(v0) && (!is_boundary(v1) || (left && right))) return false;
   if (rotated(rotated(h)) == h) return false;  // only one face at v0
   if (rings_meet_elsewhere(v0, v1, vl, vr)) return false;
-  return !(left && right && points_to_valence_3(hn) && points_to_valence_3(on) && find(vl, vr).is_valid());
+  return !(left && right && points_to_valence_3(hn) && points_to_valence_3(on) &&
+           find_from_either(vl, vr).is_valid());
 }
 
 template <typename Mesh>
@@ -118,14 +125,51 @@ bool HalfedgeCollapseT<Mesh>::rings_meet_elsewhere(VertexHandle v0, VertexHandle
     return mark_[static_cast<std::size_t>(v.idx())];
   };
   HalfedgeHandle start = mesh_.halfedge_handle(v1), h = start;
-  do mark(mesh_.to_vertex_handle(h)) = stamp_;
-  while ((h = rotated(h)) != start);
+  std::size_t n = 0;
+  do {
+    if (++n > kMany) return rings_meet_at_hub(v0, v1, vl, vr);
+    mark(mesh_.to_vertex_handle(h)) = stamp_;
+  } while ((h = rotated(h)) != start);
   h = start = mesh_.halfedge_handle(v0);
   do {
     const VertexHandle v = mesh_.to_vertex_handle(h);
     if (mark(v) == stamp_ && v != vl && v != vr) return true;
   } while ((h = rotated(h)) != start);
   return false;
+}
+
+/// Goes around the end with fewer edges, and asks each of its neighbours.
+template <typename Mesh>
+bool HalfedgeCollapseT<Mesh>::rings_meet_at_hub(VertexHandle v0, VertexHandle v1, VertexHandle vl,
+                                                VertexHandle vr) const {
+  const HalfedgeHandle start_0 = mesh_.halfedge_handle(v0), start_1 = mesh_.halfedge_handle(v1);
+  HalfedgeHandle h = start_0, o = start_1;
+  do {
+    h = rotated(h);
+    o = rotated(o);
+  } while (h != start_0 && o != start_1);
+  const HalfedgeHandle start = h == start_0 ? start_0 : start_1;
+  const VertexHandle far = h == start_0 ? v1 : v0;
+  h = start;
+  do {
+    const VertexHandle v = mesh_.to_vertex_handle(h);
+    if (v != far && v != vl && v != vr && find_from_either(v, far).is_valid()) return true;
+  } while ((h = rotated(h)) != start);
+  return false;
+}
+
+template <typename Mesh>
+auto HalfedgeCollapseT<Mesh>::find_from_either(VertexHandle a, VertexHandle b) const -> HalfedgeHandle {
+  const HalfedgeHandle start_a = mesh_.halfedge_handle(a), start_b = mesh_.halfedge_handle(b);
+  HalfedgeHandle h = start_a, o = start_b;
+  if (!h.is_valid() || !o.is_valid()) return HalfedgeHandle();
+  do {
+    if (mesh_.to_vertex_handle(h) == b) return h;
+    if (mesh_.to_vertex_handle(o) == a) return opposite(o);
+    h = rotated(h);
+    o = rotated(o);
+  } while (h != start_a && o != start_b);
+  return HalfedgeHandle();
 }
 
 template <typename Mesh>

@@ -39,6 +39,7 @@ template <typename Real>
 CollapsePlan Circumcenter::plan(const SurfaceT<Real>& surface) const {
   validate();
   PlanDraftT<Real> draft(surface, guard);
+  detail::HubPlanes hubs;
   std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   const auto is_free = [&](std::uint32_t v) { return surface.is_free(v) && !merged[v]; };
 
@@ -49,13 +50,13 @@ CollapsePlan Circumcenter::plan(const SurfaceT<Real>& surface) const {
   const auto cost = [&](std::uint32_t f) {
     if (!is_open(f)) return HUGE_VAL;
     const auto& t = surface.triangle(f);
-    const Eigen::Vector3d target = detail::place(surface, t, placement);
-    return detail::PlaneQuadric(surface, t, target).error(target);
+    const Eigen::Vector3d target = detail::place(surface, t, placement, hubs);
+    return detail::PlaneQuadric(surface, t, target, hubs).error(target);
   };
   detail::scan(surface.n_faces(), order, cost, [&](std::uint32_t f) {
     if (!is_open(f)) return;
     const auto& t = surface.triangle(f);
-    const auto verdict = draft.merge(t, detail::place(surface, t, placement));
+    const auto verdict = draft.merge(t, detail::place(surface, t, placement, hubs));
     draft.count_refusal(verdict);
     if (verdict == PlanDraftT<Real>::Verdict::accepted) merged[t[0]] = merged[t[1]] = merged[t[2]] = true;
   });

@@ -38,7 +38,8 @@ struct FaceAngle {
   };
   /// Where the fan that closes the hole starts.
   enum class Apex {
-    delaunay,       ///< at the ring vertex with the best worst triangle (Paper 1)
+    delaunay,  ///< at the ring vertex with the best worst triangle (Paper 1); of more than 256 neighbours
+               ///< the best of 256 that are spread evenly
     lexicographic,  ///< at the ring vertex with the largest x, then y, then z (Paper 2)
   };
   static constexpr int kAllAngles = 0;
@@ -81,7 +82,11 @@ struct FaceAngle {
     template <typename Real>
     void open(const SurfaceT<Real>& surface, std::uint32_t v);
     double worst_triangle(std::size_t from) const;
+    /// Whether every two normals are sure to be within an angle, as all are within half of it of their mean.
+    bool lies_within(double min_cos) const;
   };
+  static constexpr std::size_t kMany = 64;         // faces, of which a vertex with more is a hub
+  static constexpr std::size_t kMostApexes = 256;  // that are rated
   using RatedApex = std::pair<double, std::uint32_t>;
 
   /// Of an angle in degrees. Rounding may take the cosine of two equal normals a few ulps below 1, hence the
@@ -139,17 +144,33 @@ inline bool FaceAngle::is_flat(const Umbrella& umbrella, double min_cos) const {
     const double cosine = normals[i].dot(normals[j]);
     return cosine * std::abs(cosine) >= limit * squared_areas[i] * squared_areas[j];
   };
-  int within = 0, angles = 0;
-  for (std::size_t i = 0; i < n; ++i) {
+  const bool is_every = count == kAllAngles;
+  std::size_t within = 0, angles = 0;
+  const bool is_done = is_every && n > kMany && pairs == Pairs::all && umbrella.lies_within(min_cos);
+  for (std::size_t i = 0; i < n && !is_done; ++i) {
     const std::size_t last = pairs == Pairs::all ? n - 1 : std::min(i + 1, n - 1);
-    for (std::size_t j = i + 1; j <= last; ++j, ++angles) within += is_within(i, j);
+    for (std::size_t j = i + 1; j <= last; ++j, ++angles) {
+      within += is_within(i, j);
+      if (is_every && within == angles) return false;
+    }
   }
   if (pairs == Pairs::adjacent && is_closed) {
     within += is_within(n - 1, 0);
     ++angles;
   }
   if (!is_closed && (-spokes.front()).normalized().dot(spokes.back().normalized()) < min_cos) return false;
-  return count == kAllAngles ? within == angles : within >= count;
+  return is_every ? within == angles : within >= static_cast<std::size_t>(count);
+}
+
+inline bool FaceAngle::Umbrella::lies_within(double min_cos) const {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < normals.size(); ++i) mean += normals[i] / std::sqrt(squared_areas[i]);
+  mean.normalize();
+  double least = 1;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    least = std::min(least, normals[i].dot(mean) / std::sqrt(squared_areas[i]));
+  constexpr double kRounding = 1e-9;
+  return least > 0 && 2 * least * least - 1 > min_cos + kRounding;  // the cosine of twice the largest angle
 }
 
 /// A measure of the worst triangle of the fan from a place in the ring: the square of `triangle_quality`, but
@@ -178,9 +199,17 @@ void FaceAngle::order_apexes(const SurfaceT<Real>& surface, const Umbrella& umbr
   apexes.clear();
   const std::size_t n = umbrella.spokes.size();
   const Ring ring = surface.ring(umbrella.vertex);
-  for (std::size_t i = 0; i < n; ++i)  // of an open ring, only the ends have a fan
-    if (umbrella.is_closed || i == 0 || i == n - 1)
-      apexes.emplace_back(apex == Apex::delaunay ? umbrella.worst_triangle(i) : 0, ring[i]);
+  const auto rate = [&](std::size_t i) {
+    apexes.emplace_back(apex == Apex::delaunay ? umbrella.worst_triangle(i) : 0, ring[i]);
+  };
+  if (!umbrella.is_closed) {  // only the ends have a fan
+    rate(0);
+    rate(n - 1);
+  } else if (apex == Apex::delaunay && n > kMostApexes) {  // to rate all of them takes a time in n squared
+    for (std::size_t i = 0; i < kMostApexes; ++i) rate(i * n / kMostApexes);
+  } else {
+    for (std::size_t i = 0; i < n; ++i) rate(i);
+  }
   std::sort(apexes.begin(), apexes.end(), [&](const auto& l, const auto& r) {
     if (apex == Apex::delaunay) return l.first != r.first ? l.first > r.first : l.second < r.second;
     const Eigen::Vector3d p = surface.point(l.second), q = surface.point(r.second);

@@ -63,7 +63,8 @@ struct SphereScan {
                Cluster& cluster) const;
 
   template <typename Real>
-  Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::vector<std::uint32_t>& members) const;
+  Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::vector<std::uint32_t>& members,
+                        detail::HubPlanes& hubs) const;
 };
 
 inline void SphereScan::validate() const {
@@ -73,15 +74,15 @@ inline void SphereScan::validate() const {
 }
 
 template <typename Real>
-Eigen::Vector3d SphereScan::place(const SurfaceT<Real>& surface,
-                                  const std::vector<std::uint32_t>& members) const {
+Eigen::Vector3d SphereScan::place(const SurfaceT<Real>& surface, const std::vector<std::uint32_t>& members,
+                                  detail::HubPlanes& hubs) const {
   const auto at = [&](std::size_t i) { return surface.point(members[i]); };
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   for (const std::uint32_t v : members) center += surface.point(v) / static_cast<double>(members.size());
   if (members.size() == 3) center = detail::enclosing_center(at(0), at(1), at(2));
   if (placement == Placement::paper) return center;
 
-  return detail::PlaneQuadric(surface, members, center).best(*radius / 2);
+  return detail::PlaneQuadric(surface, members, center, hubs).best(*radius / 2);
 }
 
 template <typename Real>
@@ -114,6 +115,7 @@ CollapsePlan SphereScan::plan(const SurfaceT<Real>& surface) const {
     throw NotReady(
         "SphereScan: radius is not set: how near must neighbours be to merge? (set_radius of the module)");
   PlanDraftT<Real> draft(surface, guard);
+  detail::HubPlanes hubs;
   std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   Cluster cluster;
   std::vector<std::uint32_t>& members = cluster.members;
@@ -122,16 +124,16 @@ CollapsePlan SphereScan::plan(const SurfaceT<Real>& surface) const {
   const auto cost = [&](std::uint32_t v) {
     collect(surface, v, merged, cluster);
     if (members.size() < 2) return HUGE_VAL;
-    const Eigen::Vector3d target = place(surface, members);
-    return detail::PlaneQuadric(surface, members, target).error(target);
+    const Eigen::Vector3d target = place(surface, members, hubs);
+    return detail::PlaneQuadric(surface, members, target, hubs).error(target);
   };
   detail::scan(surface.n_vertices(), order, cost, [&](std::uint32_t v) {
     collect(surface, v, merged, cluster);
     if (members.size() < 2) return;
-    Verdict verdict = draft.merge(members, place(surface, members));
+    Verdict verdict = draft.merge(members, place(surface, members, hubs));
     if (verdict != Verdict::accepted && members.size() > 2) {
       members = {v, cluster.nearest};
-      const Verdict second = draft.merge(members, place(surface, members));
+      const Verdict second = draft.merge(members, place(surface, members, hubs));
       if (second == Verdict::accepted) {
         draft.count_fallback();
         verdict = second;

@@ -26,23 +26,23 @@ namespace detail {
 /// Where the vertices of a triangle merge.
 template <typename Real>
 Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint32_t, 3>& t,
-                      TrianglePlacement placement) {
+                      TrianglePlacement placement, HubPlanes& hubs) {
   const Eigen::Vector3d a = surface.point(t[0]), b = surface.point(t[1]), c = surface.point(t[2]);
   if (placement == TrianglePlacement::circumcenter) return detail::circumcenter(a, b, c);
   Eigen::Vector3d center = detail::enclosing_center(a, b, c);
   if (placement == TrianglePlacement::enclosing) return center;
   const double radius = std::max({(a - center).norm(), (b - center).norm(), (c - center).norm()});
-  return PlaneQuadric(surface, t, center).best(radius);
+  return PlaneQuadric(surface, t, center, hubs).best(radius);
 }
 
 /// Where the ends of an edge merge. On the boundary always its middle, which keeps straight boundaries straight.
 template <typename Real>
 Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint32_t, 2>& edge,
-                      TrianglePlacement placement) {
+                      TrianglePlacement placement, HubPlanes& hubs) {
   const Eigen::Vector3d a = surface.point(edge[0]), b = surface.point(edge[1]);
   Eigen::Vector3d middle = (a + b) / 2;
   if (placement != TrianglePlacement::quadric || surface.is_boundary(edge[0])) return middle;
-  return PlaneQuadric(surface, edge, middle).best((b - a).norm() / 2);
+  return PlaneQuadric(surface, edge, middle, hubs).best((b - a).norm() / 2);
 }
 
 }  // namespace detail

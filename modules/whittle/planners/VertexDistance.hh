@@ -60,6 +60,7 @@ CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
         "VertexDistance: max_distance is not set: how short must an edge be to fold? (set_max_distance of "
         "the module)");
   PlanDraftT<Real> draft(surface, guard);
+  detail::HubPlanes hubs;
   std::vector<std::uint8_t> folded(surface.n_vertices(), false);
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
@@ -70,8 +71,8 @@ CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
     const detail::ShortEdges edges(surface, f, *max_distance, boundary, folded);
     if (edges.count == 0) return HUGE_VAL;
     const auto error = [&](const auto& members) {
-      const Eigen::Vector3d target = detail::place(surface, members, placement);
-      return detail::PlaneQuadric(surface, members, target).error(target);
+      const Eigen::Vector3d target = detail::place(surface, members, placement, hubs);
+      return detail::PlaneQuadric(surface, members, target, hubs).error(target);
     };
     return is_triangle(edges, f) ? error(surface.triangle(f)) : error(edges.ends(surface.triangle(f)));
   };
@@ -80,12 +81,12 @@ CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
     if (edges.count == 0) return;
     const auto& t = surface.triangle(f);
     const bool triangle = is_triangle(edges, f);
-    if (triangle && draft.merge(t, detail::place(surface, t, placement)) == Verdict::accepted) {
+    if (triangle && draft.merge(t, detail::place(surface, t, placement, hubs)) == Verdict::accepted) {
       folded[t[0]] = folded[t[1]] = folded[t[2]] = true;
       return;
     }
     const auto ends = edges.ends(t);
-    const Verdict verdict = draft.merge(ends, detail::place(surface, ends, placement));
+    const Verdict verdict = draft.merge(ends, detail::place(surface, ends, placement, hubs));
     draft.count_refusal(verdict);
     if (verdict != Verdict::accepted) return;
     folded[ends[0]] = folded[ends[1]] = true;

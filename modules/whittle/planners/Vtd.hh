@@ -80,6 +80,7 @@ CollapsePlan Vtd::plan(const SurfaceT<Real>& surface) const {
     throw NotReady(
         "Vtd: max_distance is not set: how short must an edge be to count? (set_max_distance of the module)");
   PlanDraftT<Real> draft(surface, guard);
+  detail::HubPlanes hubs;
   std::vector<std::uint8_t> merged(surface.n_vertices(), false);
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
@@ -91,7 +92,7 @@ CollapsePlan Vtd::plan(const SurfaceT<Real>& surface) const {
     Verdict triangle = Verdict::accepted;
     std::size_t edge = 0;
     if (edges.count == 3 && !surface.is_boundary(t[0])) {
-      triangle = draft.merge(t, detail::place(surface, t, placement));
+      triangle = draft.merge(t, detail::place(surface, t, placement, hubs));
       if (triangle == Verdict::accepted) {
         merged[t[0]] = merged[t[1]] = merged[t[2]] = true;
         continue;
@@ -104,7 +105,7 @@ CollapsePlan Vtd::plan(const SurfaceT<Real>& surface) const {
     if (merged[a] || merged[b] || !surface.may_merge(a, b, boundary))
       continue;  // literal: the edge is not short itself
     const std::array<std::uint32_t, 2> ends{a, b};
-    const Verdict verdict = draft.merge(ends, detail::place(surface, ends, placement));
+    const Verdict verdict = draft.merge(ends, detail::place(surface, ends, placement, hubs));
     draft.count_refusal(verdict);
     if (verdict != Verdict::accepted) continue;
     merged[a] = merged[b] = true;

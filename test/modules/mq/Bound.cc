@@ -151,3 +151,50 @@ TEST_CASE("mq's module has the bound, and scales it") {
   CHECK_THROWS_AS(within(-1).validate(), InvalidParameter);
   CHECK_THROWS_AS(within(std::nan("")).validate(), InvalidParameter);
 }
+
+namespace {
+
+/// Whether a vertex 0 at the origin, in the first of the faces, may lie on the triangle instead.
+bool may_become(const std::vector<Vector3f>& points, const std::vector<Rings::Triangle>& faces,
+                const Vector3f& a, const Vector3f& b, const Vector3f& c, float distance) {
+  Crew alone(1);
+  Bound bound(points, Rings(faces, points.size(), false, alone), std::vector<float>(points.size(), distance),
+              faces.size());
+  bound.put(0, 0);
+  Bound::Change change;
+  change.faces = {0};
+  change.triangles = {{0, a, b, c}};
+  return bound.allows(change);
+}
+
+}  // namespace
+
+TEST_CASE("mq's bound looks at the new vertex itself") {
+  // Of a face whose first corner is lifted by h, every other sample lies at 2/3 h or lower.
+  const std::vector<Vector3f> points{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+  const auto lifted = [&](float h) {
+    return may_become(points, {{0, 1, 2}}, {1, 0.5f, h}, {0, 0, 0}, {2, 0, 0}, 0.2f);
+  };
+  CHECK(lifted(0.19f));
+  CHECK_FALSE(lifted(0.21f));
+}
+
+TEST_CASE("mq's bound looks at the middle, near each corner, and between the first two of a face") {
+  // The input lacks the triangle a b 0 of the square; the middle of a b is 0.447 from it, other samples less.
+  const std::vector<Vector3f> fan{{0, 0, 0}, {-1, -0.5f, 0}, {1, -0.5f, 0}, {1, 1, 0}, {-1, 1, 0}};
+  const auto across = [&](float distance) {
+    return may_become(fan, {{0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, fan[1], fan[2], fan[0], distance);
+  };
+  CHECK(across(0.46f));
+  CHECK_FALSE(across(0.43f));
+  // The input ends at x = 1.5 or y = 1.5; a sample near a corner is 0.5 beyond, no other one.
+  const std::vector<Vector3f> strip{{0, 0, 0}, {1.5f, 0, 0}, {1.5f, 3, 0}, {0, 3, 0}},
+      lying{{0, 0, 0}, {3, 0, 0}, {3, 1.5f, 0}, {0, 1.5f, 0}};
+  for (const auto& input : {strip, lying}) {
+    const auto beyond = [&](float distance) {
+      return may_become(input, {{0, 1, 2}, {0, 2, 3}}, {0, 0, 0}, {3, 0, 0}, {0, 3, 0}, distance);
+    };
+    CHECK(beyond(0.51f));
+    CHECK_FALSE(beyond(0.49f));
+  }
+}

@@ -142,3 +142,12 @@ TEST_CASE("an edge's ring gives the change of the quadrics and the survivor's su
       CHECK((change * probe - expected_changes[v] * probe).norm() < 1e-5f);
   }
 }
+
+TEST_CASE("an edge's ring turns a face by up to just under 90 degrees against the input") {
+  Wheel wheel(6);
+  const auto height = [](double cosine) {
+    return static_cast<float>(std::sqrt(0.75) * std::sqrt(1 / (cosine * cosine) - 1));
+  };
+  CHECK(wheel.ring.turn(wheel.vertices, 0, 0, {0, 0, height(0.015)}, -1));
+  CHECK_FALSE(wheel.ring.turn(wheel.vertices, 0, 0, {0, 0, height(0.006)}, -1));
+}

@@ -34,3 +34,11 @@ TEST_CASE("Morton order renumbers and loses nothing") {
   CHECK(MortonOrder(IndexedMesh()).triangles.empty());
   CHECK(MortonOrder(meshes::isolated_points(3)).vertex.size() == 3);
 }
+
+TEST_CASE("Morton order tells 1024 places along the longest side apart") {
+  IndexedMesh mesh;
+  mesh.points = {{1, 0, 0}, {0, 0, 0}, {1023, 0, 0}, {1022, 0, 0}};
+  CHECK(MortonOrder(mesh).vertex == std::vector<std::uint32_t>{1, 0, 3, 2});
+  mesh.points = {{0.6, 0, 0}, {0, 0, 0}, {1023, 0, 0}};  // the first two in one place: by index
+  CHECK(MortonOrder(mesh).vertex == std::vector<std::uint32_t>{0, 1, 2});
+}

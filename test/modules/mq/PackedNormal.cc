@@ -41,3 +41,13 @@ TEST_CASE("a packed normal is good to a fifth of a degree") {
   CHECK(PackedNormal().bits() == 0);
   CHECK(in_lane(PackedNormal::unpacked(Eigen::Array<std::uint32_t, 4, 1>::Zero()), 2).isZero());
 }
+
+TEST_CASE("a packed normal is rounded to the nearest of 511 steps") {
+  for (const float step : {0.0f, 100.3f, 99.7f, -100.3f, -99.7f}) {
+    const float x = step / PackedNormal::kLength;
+    const Vector3f normal(x, 0, std::sqrt(1 - x * x));
+    Eigen::Array<std::uint32_t, 4, 1> bits;
+    bits.setConstant(PackedNormal(normal).bits());
+    CHECK(in_lane(PackedNormal::unpacked(bits), 1).x() == std::round(step));
+  }
+}

@@ -86,3 +86,59 @@ TEST_CASE("mq's mesh is the same to the bit for any number of threads") {
     }
   }
 }
+
+TEST_CASE("mq's weights are the inverse squares of the tolerances, its values in units of the mesh") {
+  const IndexedMesh grid = meshes::flat_grid(5);  // 4 wide
+  SurfaceExtras extras;
+  extras.tolerance.assign(25, 1.0f);
+  extras.tolerance[7] = 0.5f;
+  extras.tolerance[8] = 2.0f;
+  extras.tolerance[9] = 1e-9f;
+  extras.n_values = 2;
+  for (std::size_t v = 0; v < 25; ++v)
+    for (const std::size_t value : {v, 100 * v}) extras.values.push_back(static_cast<float>(value));
+  const mq::Mesh mesh = built(grid, extras);
+  CHECK(mesh.weights[vertex(mesh, 6)] == 1);
+  CHECK(mesh.weights[vertex(mesh, 7)] == 4);
+  CHECK(mesh.weights[vertex(mesh, 8)] == 0.25f);
+  CHECK(mesh.weights[vertex(mesh, 9)] == Approx(1e8));
+  CHECK(mesh.values.at(vertex(mesh, 8))[0] == 2);
+  CHECK(mesh.values.at(vertex(mesh, 8))[1] == 200);
+}
+
+TEST_CASE("mq's untouchable vertices stay so when they are locked") {
+  IndexedMesh input = meshes::flat_grid(3);
+  input.points.emplace_back(1, 1, 1);
+  input.triangles.push_back({4, 1, 9});  // a third face at the edge 1 4
+  SurfaceExtras extras;
+  extras.flags.assign(10, kLocked);
+  const mq::Mesh mesh = built(input, extras);
+  CHECK(mesh.holds[vertex(mesh, 4)] == mq::kUntouchable);
+  CHECK(mesh.holds[vertex(mesh, 5)] == mq::kFixed);
+}
+
+TEST_CASE("mq's reference normals go with their faces through the new order") {
+  const IndexedMesh grid = meshes::flat_grid(4);
+  for (std::size_t marked = 0; marked < grid.triangles.size(); ++marked) {
+    SurfaceExtras extras;
+    extras.reference_normals.assign(grid.triangles.size(), Eigen::Vector3d::UnitZ());
+    extras.reference_normals[marked] = Eigen::Vector3d::UnitX();
+    const mq::Mesh mesh = built(grid, extras);
+    for (std::size_t f = 0; f < grid.triangles.size(); ++f) {
+      const mq::Corner c = mq::corner_of(f);
+      std::array<std::uint32_t, 3> t{};
+      for (std::uint32_t k = 0; k < 3; ++k) t[k] = mesh.input[mesh.table.vertex(c + k)];
+      const bool is_x = mesh.table.notes(c).normal.bits() == mq::PackedNormal(mq::Vec::UnitX()).bits();
+      REQUIRE(is_x == (t == grid.triangles[marked]));
+    }
+  }
+}
+
+TEST_CASE("mq knows the normal of a face of very little area") {
+  IndexedMesh thin;  // a box of 2 around the origin, so that small coordinates stay exact
+  thin.points = {{-1, 0, 0}, {1, 0, 0}, {0, 1e-10, 0}, {0, 1, 1}, {0, -1, -1}};
+  thin.triangles = {{0, 1, 2}};
+  CHECK(built(thin).table.notes(0).normal.bits() == mq::PackedNormal(mq::Vec::UnitZ()).bits());
+  thin.points[2].y() = 0;
+  CHECK(built(thin).table.notes(0).normal.bits() == mq::PackedNormal().bits());
+}

@@ -176,3 +176,127 @@ TEST_CASE("two edges that a collapse fuses are queued once if either was") {
     CHECK_FALSE(table.notes(c).is_queued(mq::next(c)));  // its face has vanished
   }
 }
+
+namespace {
+
+/// Collapses an edge to a share of its length. \return the half-edge, whose face is gone
+Corner collapse_to(mq::Mesh& mesh, std::uint32_t start, std::uint32_t end, float share) {
+  mq::Worker worker = worker_of(mesh);
+  const Corner c = corner(mesh, start, end);
+  const mq::Placement placement{share * mesh.edge(c), 0};
+  REQUIRE(mq::judge(mesh, c, placement, worker) == mq::Verdict::legal);
+  std::array<Corner, 2> unqueued;
+  mq::collapse(mesh, c, placement, worker, unqueued);
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("the survivor of mq's collapse has the value at its place on the edge, and none beyond its ends") {
+  SurfaceExtras extras;
+  extras.n_values = 1;
+  for (const auto& p : meshes::flat_grid(5).points) extras.values.push_back(static_cast<float>(p.x()));
+  for (const auto& [share, x] :
+       {std::pair(0.25f, 2.25f), std::pair(0.75f, 2.75f), std::pair(1.25f, 3.0f), std::pair(-0.25f, 2.0f)}) {
+    mq::Mesh mesh = built(meshes::flat_grid(5), extras);
+    REQUIRE(mesh.scale == 4);
+    const std::uint32_t to = fixture::vertex(mesh, 12);
+    collapse_to(mesh, 12, 13, share);
+    CHECK(*mesh.values.at(to) == Approx(x / 4));
+  }
+}
+
+TEST_CASE("the survivor of mq's collapse has the larger weight of both ends") {
+  SurfaceExtras extras;
+  extras.tolerance.assign(25, 1.0f);
+  extras.tolerance[13] = 0.5f;
+  for (const bool heavy_first : {false, true}) {
+    mq::Mesh mesh = built(meshes::flat_grid(5), extras);
+    const std::uint32_t to = fixture::vertex(mesh, heavy_first ? 13 : 12);
+    collapse_to(mesh, heavy_first ? 13 : 12, heavy_first ? 12 : 13, 0.5f);
+    CHECK(mesh.weights[to] == 4);
+  }
+}
+
+TEST_CASE("mq's feature lines go on through collapses beside them, each edge once") {
+  // A ridge along the column 2: 2 7 12 17 22. The face 7 13 12 is on the side of 13.
+  const IndexedMesh roof = meshes::grid(5, [](std::uint32_t i, std::uint32_t) { return -std::abs(2.0 - i); });
+  for (const auto& [start, end] :
+       {std::pair(12u, 13u), std::pair(13u, 12u), std::pair(7u, 13u), std::pair(13u, 7u)}) {
+    SurfaceExtras extras;  // the ridge stays where it is
+    extras.flags.assign(25, 0);
+    for (const std::size_t v : {2u, 7u, 12u, 17u, 22u}) extras.flags[v] = kFeature;
+    mq::Mesh mesh = built(roof, extras, {0.2f, 60, HUGE_VAL});
+    collapse_to(mesh, start, end, start == 13 ? 1.0f : 0.0f);
+    std::size_t half_edges = 0;
+    for (std::size_t f = 0; f < mesh.table.n_faces(); ++f)
+      for (Corner c = mq::corner_of(f); c < mq::corner_of(f) + 3; ++c)
+        half_edges += !mesh.table.is_dead(c) && mesh.table.notes(c).is_feature(c);
+    CHECK(half_edges == 8);
+    const Corner kept = corner(mesh, 7, 12);
+    CHECK(mesh.table.notes(kept).is_feature(kept));
+    check_quadrics(mesh);
+  }
+}
+
+TEST_CASE("a queued edge of a face that mq's collapse takes is handed over, on whichever side it was") {
+  for (const bool is_next : {false, true}) {
+    mq::Mesh mesh = built(meshes::flat_grid(5));
+    mq::Worker worker = worker_of(mesh);
+    const Corner c = corner(mesh, 12, 13);
+    mesh.table.notes(c).set_queued(is_next ? mq::next(c) : mq::previous(c));
+    const mq::Placement placement{mesh.edge(c) / 2, 0};
+    REQUIRE(mq::judge(mesh, c, placement, worker) == mq::Verdict::legal);
+    std::array<Corner, 2> unqueued;
+    mq::collapse(mesh, c, placement, worker, unqueued);
+    CHECK(unqueued[0] != kNoCorner);
+    CHECK(unqueued[1] == kNoCorner);
+  }
+}
+
+TEST_CASE("mq's bound has no point in a face that is gone, and each point once") {
+  const auto n_points = [](const mq::Mesh& mesh, const std::vector<std::uint32_t>& faces) {
+    mq::Bound::Change change;
+    change.faces = faces;
+    change.triangles = {{0, {-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}};
+    mesh.bound->allows(change);
+    return change.moves.size();
+  };
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t f = 0; f < 32; ++f) all.push_back(f);
+  std::size_t before = 0;
+  for (const auto& [start, end] : {std::pair(6u, 7u), std::pair(11u, 12u), std::pair(16u, 17u)}) {
+    mq::Mesh mesh = built(meshes::flat_grid(5), {}, {0.2f, 180, 100});
+    REQUIRE(n_points(mesh, all) == 25);
+    const Corner c = corner(mesh, start, end);
+    const std::vector<std::uint32_t> gone{mq::face_of(c), mq::face_of(mesh.table.twin(c))};
+    before += n_points(mesh, gone);
+    collapse_to(mesh, start, end, 0.5f);
+    CHECK(n_points(mesh, gone) == 0);
+    CHECK(n_points(mesh, all) == 25);
+  }
+  CHECK(before > 0);
+}
+
+TEST_CASE("a vertex of very many faces survives mq's collapse, unless the other end is held") {
+  IndexedMesh bipyramid = meshes::cone(100, 1);  // the tip is 0, the other one 101
+  bipyramid.points.emplace_back(0, 0, -1);
+  for (std::uint32_t i = 0; i < 100; ++i) bipyramid.triangles.push_back({101, (i + 1) % 100 + 1, i + 1});
+  for (const bool is_held : {false, true})
+    for (const bool from_tip : {false, true}) {
+      SurfaceExtras extras;
+      extras.flags.assign(102, 0);
+      if (is_held) extras.flags[7] = kLocked;
+      mq::Mesh mesh = built(bipyramid, extras, {-1, 180, HUGE_VAL});
+      mq::Worker worker = worker_of(mesh);
+      const Corner c = from_tip ? corner(mesh, 0, 7) : corner(mesh, 7, 0);
+      // Where 7 is held, at 7, with which faces of the far side turn upright; so these have no normal to keep.
+      const mq::Placement placement{from_tip == is_held ? mesh.edge(c) : mq::Vec(mq::Vec::Zero()), 0};
+      for (std::size_t f = 0; f < 200; ++f) mesh.table.notes(mq::corner_of(f)).normal = mq::PackedNormal();
+      REQUIRE(mq::judge(mesh, c, placement, worker) == mq::Verdict::legal);
+      std::array<Corner, 2> unqueued;
+      const Collapse done = mq::collapse(mesh, c, placement, worker, unqueued);
+      CHECK(done.to == (is_held ? 7 : 0));
+      CHECK(done.from == (is_held ? 0 : 7));
+    }
+}

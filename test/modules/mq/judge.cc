@@ -121,3 +121,77 @@ TEST_CASE("mq's marks tell which edges lie around one that was judged since") {
   CHECK_FALSE(mq::is_touched(mesh, far, worker, before));
   CHECK_FALSE(mq::is_touched(mesh, c, worker, worker.stamp));
 }
+
+TEST_CASE("mq moves the boundary into no held inner vertex, from either end of the edge") {
+  SurfaceExtras extras;
+  extras.flags.assign(25, 0);
+  extras.flags[6] = kLocked;
+  const mq::Mesh mesh = built(meshes::flat_grid(5), extras);
+  const Corner in = corner(mesh, 1, 6), out = corner(mesh, 6, 1);
+  CHECK(judge_at(mesh, in, mesh.edge(in)) == Verdict::breaks_link);
+  CHECK(judge_at(mesh, out, mq::Vec::Zero()) == Verdict::breaks_link);
+}
+
+TEST_CASE("mq may leave one face of three around an inner vertex, at the boundary") {
+  const mq::Mesh mesh = built(meshes::cone(3, 0), {}, {-1, 180, HUGE_VAL});
+  const Corner out = corner(mesh, 0, 1), in = corner(mesh, 1, 0);
+  CHECK(judge_at(mesh, out, mesh.edge(out)) == Verdict::legal);
+  CHECK(judge_at(mesh, in, mq::Vec::Zero()) == Verdict::legal);
+}
+
+TEST_CASE("mq may take a vertex with three faces out of a closed surface") {
+  IndexedMesh mesh = meshes::octahedron();  // with a tip on its face 0 1 4
+  REQUIRE(mesh.triangles[0] == IndexedMesh::Triangle{0, 1, 4});
+  mesh.points.emplace_back(0.4, 0.4, 0.4);
+  mesh.triangles[0] = {0, 1, 6};
+  mesh.triangles.push_back({1, 4, 6});
+  mesh.triangles.push_back({4, 0, 6});
+  const mq::Mesh tipped = built(mesh, {}, {-1, 180, HUGE_VAL});
+  CHECK(judge_at(tipped, corner(tipped, 0, 6), mq::Vec::Zero()) == Verdict::legal);
+  const Corner from_tip = corner(tipped, 6, 0);
+  CHECK(judge_at(tipped, from_tip, tipped.edge(from_tip)) == Verdict::legal);
+}
+
+TEST_CASE("mq closes no hole of three edges") {
+  IndexedMesh mesh = meshes::triangle_in_hexagon({-0.3, -0.2, 0}, {0.3, -0.2, 0}, {0, 0.3, 0}, 1);
+  REQUIRE(mesh.triangles[0] == IndexedMesh::Triangle{0, 1, 2});
+  mesh.triangles.erase(mesh.triangles.begin());
+  const mq::Mesh holed = built(mesh, {}, {-1, 180, HUGE_VAL});
+  for (const auto& [a, b] : {std::pair(1u, 0u), std::pair(2u, 1u), std::pair(0u, 2u)})
+    CHECK(judge_middle(holed, corner(holed, a, b)) == Verdict::breaks_link);
+}
+
+TEST_CASE("mq's flip guard is a cosine") {
+  // To the height h above its middle the edge 12 13 turns its two flattest faces by the angle whose tangent is h.
+  const mq::Mesh mesh = built(meshes::flat_grid(5));
+  const Corner c = corner(mesh, 12, 13);
+  const auto lifted = [&](double h) {
+    return judge_at(mesh, c, mesh.edge(c) / 2 + mq::Vec(0, 0, static_cast<float>(h / mesh.scale)));
+  };
+  const double most = std::sqrt(1 / (0.2 * 0.2) - 1);
+  CHECK(lifted(0.99 * most) == Verdict::legal);
+  CHECK(lifted(1.01 * most) == Verdict::turns_face);
+}
+
+TEST_CASE("mq's bound looks at all faces around the edge, those that vanish, too") {
+  mq::Mesh mesh = built(meshes::flat_grid(5), {}, {0.2f, 180, 0.5});
+  mq::Worker worker = worker_of(mesh);
+  const Corner c = corner(mesh, 12, 13);
+  REQUIRE(mq::judge(mesh, c, {mesh.edge(c) / 2, 0}, worker) == Verdict::legal);
+  CHECK(worker.change.faces.size() == 10);
+  CHECK(worker.change.triangles.size() == 8);
+}
+
+TEST_CASE("mq's bound is as strict as the tolerance of the vertices that it concerns") {
+  SurfaceExtras extras;
+  extras.tolerance.assign(49, 1.0f);
+  extras.tolerance[40] = 0.1f;
+  const mq::Mesh mesh = built(meshes::flat_grid(7), extras, {0.2f, 180, 0.5});
+  const auto lifted = [&](std::uint32_t a, std::uint32_t b, double height) {
+    const Corner c = corner(mesh, a, b);
+    return judge_at(mesh, c, mesh.edge(c) / 2 + mq::Vec(0, 0, static_cast<float>(height / mesh.scale)));
+  };
+  CHECK(lifted(8, 9, 0.45) == Verdict::legal);
+  CHECK(lifted(40, 39, 0.04) == Verdict::legal);
+  CHECK(lifted(40, 39, 0.12) == Verdict::breaks_bound);
+}

@@ -91,3 +91,69 @@ TEST_CASE("mq places an edge of no length, or with faces of no area, at a finite
   CHECK(placed.cost == 0);
   CHECK(place_one(mesh, corner(mesh, 7, 12)).offset.allFinite());
 }
+
+TEST_CASE("mq weighs the planes at both ends of an edge, and a slight pull to its middle") {
+  mq::Mesh mesh = built(meshes::flat_grid(5));
+  const Corner c = corner(mesh, 12, 13);  // along x
+  const std::uint32_t a = fixture::vertex(mesh, 12), b = fixture::vertex(mesh, 13);
+  const float length = mesh.edge(c).x();
+  const auto placed = [&](const mq::SymmetricMatrix& at_a, const mq::SymmetricMatrix& at_b) {
+    mesh.quadrics[a] = at_a;
+    mesh.quadrics[b] = at_b;
+    Placement placement = place_one(mesh, c);
+    placement.offset /= length;
+    placement.cost /= length * length;
+    return placement;
+  };
+  const auto plane = [](float x, float z) { return mq::SymmetricMatrix::outer(mq::Vec(x, 0, z), 1); };
+  const mq::SymmetricMatrix y = mq::SymmetricMatrix::outer(mq::Vec::UnitY(), 1);
+
+  // x = 0 at the start and y = 0, which weighs so much that the pull, 1e-5 of the trace, is a tenth.
+  const Placement pulled = placed(plane(1, 0) + 9999 * y, mq::SymmetricMatrix());
+  CHECK(pulled.offset.x() == Approx(0.05 / 1.1).epsilon(1e-4));
+  CHECK(pulled.cost == Approx(0.05 / 1.1 * 0.05 / 1.1).epsilon(1e-3));
+  CHECK(placed(mq::SymmetricMatrix(), plane(1, 0) + 9999 * y).offset.x() == Approx(1.05 / 1.1).epsilon(1e-4));
+
+  // Planes that rise by s from the start and by 1 from the end meet at x = 1 / (1 - s). Up to two lengths from the
+  // middle the vertex goes there; beyond, it stays in the middle, and costs what the planes say there.
+  const Placement near = placed(plane(0.5f, -1) + y, plane(1, -1) + y),
+                  far = placed(plane(0.6f, -1) + y, plane(1, -1) + y);
+  CHECK((near.offset - mq::Vec(2, 0, 1)).norm() < 1e-2f);
+  CHECK(near.cost < 1e-3f);
+  CHECK(far.offset == mq::Vec(0.5f, 0, 0));
+  CHECK(far.cost == Approx(0.3 * 0.3 + 0.5 * 0.5).epsilon(1e-5));
+}
+
+TEST_CASE("mq's cost at a held end is what the planes of the other end say there") {
+  mq::Mesh mesh = built(meshes::flat_grid(5));
+  const Corner c = corner(mesh, 12, 13);
+  const std::uint32_t a = fixture::vertex(mesh, 12), b = fixture::vertex(mesh, 13);
+  mesh.quadrics[a] = mq::SymmetricMatrix::identity(3);
+  mesh.quadrics[b] = mq::SymmetricMatrix::identity(7);
+  mesh.all_free = false;
+  const float square = mesh.edge(c).squaredNorm();
+  mesh.holds[a] = mq::kFixed;
+  CHECK(place_one(mesh, c).cost == 7 * square);
+  mesh.holds[a] = mq::kFree;
+  mesh.holds[b] = mq::kFixed;
+  CHECK(place_one(mesh, c).cost == 3 * square);
+  CHECK(mesh.is_movable(c));
+  mesh.holds[a] = mq::kFixed;  // two that are held stay apart
+  CHECK_FALSE(mesh.is_movable(c));
+  mesh.holds[a] = mq::kUntouchable;
+  mesh.holds[b] = mq::kFree;
+  CHECK_FALSE(mesh.is_movable(c));
+}
+
+TEST_CASE("mq takes the terms of the values at each end from that end's faces") {
+  // The value is x up to the column 3 and constant from there, so along the edge 23 -> 24, from x = 2 to 3, it is
+  // linear at 23 and has a bend at 24.
+  const IndexedMesh input = meshes::flat_grid(7);
+  SurfaceExtras extras;
+  extras.n_values = 1;
+  for (const auto& p : input.points) extras.values.push_back(static_cast<float>(std::min(p.x(), 3.0)));
+  const mq::Mesh mesh = built(input, extras);
+  const Placement forth = place_one(mesh, corner(mesh, 23, 24)), back = place_one(mesh, corner(mesh, 24, 23));
+  CHECK((forth.offset - mesh.edge(corner(mesh, 23, 24))).norm() < 1e-3f);  // the bend stays
+  CHECK(back.offset.norm() < 1e-3f);
+}

@@ -1,5 +1,11 @@
 #include "whittle/plan/PlanDraft.hh"
 
+#include <algorithm>
+#include <iterator>
+#include <random>
+#include <set>
+#include <vector>
+
 #include "catch.hh"
 #include "meshes.hh"
 
@@ -188,4 +194,124 @@ TEST_CASE("the flip guard judges by reference normals where there are some") {
   CHECK(verdict({0, 3, 4}, 0.8 - 1e-12) == Verdict::accepted);
   CHECK(verdict({0, 3, 4}, 0.8 + 1e-12) == Verdict::refused_by_flip_guard);
   CHECK(verdict({0, 0, 0}, 0.99) == Verdict::accepted);  // no normal, no verdict
+}
+
+TEST_CASE("the flip guard judges a target as the mesh will hold it") {
+  whittle::IndexedMeshT<float> mesh;
+  for (const auto& [x, y] :
+       {std::pair(0, 0), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1), std::pair(-1, -1)})
+    mesh.points.emplace_back(float(x), float(y), 0.0f);
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
+  const SurfaceT<float> surface(mesh);
+  const auto moved = [&](double x) { return PlanDraftT<float>(surface, {0.2}).merge({0}, {x, 0, 0}); };
+  CHECK(moved(1 - 1e-6) == PlanDraftT<float>::Verdict::accepted);
+  CHECK(moved(1 - 1e-9) == PlanDraftT<float>::Verdict::refused_by_flip_guard);  // 1 in float: no area is left
+}
+
+TEST_CASE("three faces around an inner vertex become one at the boundary, and in a closed surface, too") {
+  Bench at_boundary(meshes::cone(3, 0));
+  CHECK(at_boundary.edge(1, 0) == Verdict::accepted);
+  IndexedMesh tipped = meshes::octahedron();
+  tipped.points.emplace_back(0.4, 0.4, 0.4);
+  tipped.triangles[0] = {0, 1, 6};
+  tipped.triangles.push_back({1, 4, 6});
+  tipped.triangles.push_back({4, 0, 6});
+  CHECK(Bench(tipped).edge(0, 6) == Verdict::accepted);
+  CHECK(Bench(tipped).edge(6, 0) == Verdict::accepted);
+}
+
+TEST_CASE("an ear may fold along the boundary, and faces around what stays are not judged") {
+  Bench strip(meshes::strip(3, 1));
+  CHECK(strip.edge(0, 3) == Verdict::accepted);  // 3 has one face
+  // Faces of 1 that do not touch 0 are turned over already.
+  const IndexedMesh mesh = meshes::triangle_in_hexagon({-0.3, 0, 0}, {0.3, -0.1, 0}, {0.3, 0.1, 0}, 1);
+  std::vector<Eigen::Vector3d> normals(10, Eigen::Vector3d::UnitZ());
+  std::size_t turned = 0;
+  for (std::size_t f = 0; f < 10; ++f) {
+    const auto& t = mesh.triangles[f];
+    const auto has = [&](std::uint32_t v) { return t[0] == v || t[1] == v || t[2] == v; };
+    if (!has(1) || has(0)) continue;
+    normals[f] *= -1;
+    ++turned;
+  }
+  REQUIRE(turned > 0);
+  const SurfaceT<double> surface(mesh, {{}, {}, normals});
+  CHECK(Draft(surface, {0.2}).merge({1, 0}, mesh.points[1]) == Verdict::accepted);
+  CHECK(Draft(surface, {0.2}).merge({1, 0}, mesh.points[0]) == Verdict::refused_by_flip_guard);
+}
+
+namespace {
+
+/// Merges ring vertices of a bipyramid with `n` of them into its tip 0 as often as that is legal.
+std::size_t merges_into_tip(std::uint32_t n) {
+  IndexedMesh mesh = meshes::cone(static_cast<int>(n), 1);  // and a second tip, n + 1
+  mesh.points.emplace_back(0, 0, -1);
+  for (std::uint32_t i = 0; i < n; ++i) mesh.triangles.push_back({n + 1, (i + 1) % n + 1, i + 1});
+  Bench bench(mesh);
+  std::size_t count = 0;
+  for (std::uint32_t v = 1; v <= n; ++v) count += bench.edge(0, v) == Verdict::accepted;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("the link condition is the same at a vertex of very many faces") {
+  // The rim goes into the tip one after the other, until a tetrahedron is left.
+  for (const std::uint32_t n : {5u, 63u, 64u, 65u, 300u}) CHECK(merges_into_tip(n) == n - 2);
+  for (const std::uint32_t n : {5u, 63u, 64u, 65u, 300u}) {
+    // Along the rim of a fan one after the other goes, as long as three are left. None leaves the boundary.
+    Bench bench(meshes::cone(static_cast<int>(n), 0));
+    CHECK(bench.edge(0, 1) == Verdict::refused_by_link);
+    std::size_t count = 0;
+    for (std::uint32_t v = n; v-- > 1;) count += bench.edge(n, v) == Verdict::accepted;
+    CHECK(count == n - 3);
+  }
+}
+
+TEST_CASE("clusters of any size answer the link condition as a brute search does") {
+  // Hubs that share a rim, with the rim merged in an order that makes clusters grow and refuses many.
+  for (const std::uint32_t n : {30u, 90u}) {
+    IndexedMesh mesh = meshes::cone(static_cast<int>(n), 1);
+    mesh.points.emplace_back(0, 0, -1);
+    for (std::uint32_t i = 0; i < n; ++i) mesh.triangles.push_back({n + 1, (i + 1) % n + 1, i + 1});
+    Bench bench(mesh);
+    std::mt19937 random(n);
+    std::size_t accepted = 0;
+    for (int round = 0; round < 400; ++round) {
+      const auto& edge = mesh.triangles[random() % mesh.triangles.size()];
+      const std::uint32_t a = bench.draft.survivor(edge[0]), b = bench.draft.survivor(edge[1 + random() % 2]);
+      if (a == b) continue;
+      std::vector<std::set<std::uint32_t>> rings(n + 2);
+      std::size_t shared = 0;
+      for (const auto& t : mesh.triangles) {
+        std::set<std::uint32_t> s;
+        for (const std::uint32_t v : t) s.insert(bench.draft.survivor(v));
+        if (s.size() < 2) continue;
+        for (const std::uint32_t v : s)
+          for (const std::uint32_t w : s)
+            if (v != w) rings[v].insert(w);
+        shared += s.size() == 3 && s.count(a) + s.count(b) == 2;
+      }
+      std::vector<std::uint32_t> common;
+      std::set_intersection(rings[a].begin(), rings[a].end(), rings[b].begin(), rings[b].end(),
+                            std::back_inserter(common));
+      const bool legal = shared == 2 && common.size() == 2 && !(rings[a].size() == 3 && rings[b].size() == 3);
+      REQUIRE((bench.draft.merge({a, b}, mesh.points[a]) == Verdict::accepted) == legal);
+      accepted += legal;
+    }
+    CHECK(accepted > 4);
+  }
+}
+
+TEST_CASE("the flip guard looks at every face of a vertex of very many, again and again") {
+  for (const int n : {60, 70, 200}) {
+    const IndexedMesh mesh = meshes::cone(n, 0);
+    Bench bench(mesh, 0.2);
+    for (int i = 0; i < n; ++i) {  // out over each face of the rim
+      const Eigen::Vector3d out = mesh.points[1 + static_cast<std::size_t>(i)] +
+                                  mesh.points[1 + static_cast<std::size_t>((i + 1) % n)];
+      REQUIRE(bench.draft.merge({0}, out) == Verdict::refused_by_flip_guard);
+    }
+    CHECK(bench.draft.merge({0}, {0.1, 0.2, 0}) == Verdict::accepted);
+  }
 }

@@ -265,3 +265,29 @@ TEST_CASE("stages of a mesh of floats are planned on the rounded points") {
   CHECK(second.collapses.size() == plan.collapses.size() - plan.stages[1]);
   CHECK(execute(second, first.mesh).mesh.points == execute(plan, mesh).mesh.points);
 }
+
+TEST_CASE("what the user holds and tolerates, a second stage holds and tolerates") {
+  const IndexedMesh mesh = meshes::flat_grid(6);
+  for (const std::uint8_t flag : {kLocked, kFeature, kSeam}) {
+    SurfaceExtras extras;
+    extras.flags.assign(36, 0);
+    extras.flags[28] = flag;
+    extras.tolerance.assign(36, 1);
+    extras.tolerance[22] = 0.5f;
+    const Surface surface(mesh, extras);
+    Stages stages(surface);
+    REQUIRE(stages.add(MergeAt{7, 8, mesh.points[7], -1}) == 1);
+    struct Look {
+      std::uint8_t flag;
+      CollapsePlan plan(const Surface& second) const {
+        CHECK(second.n_vertices() == 35);
+        CHECK(second.flags(27) == flag);  // 28, as 8 is gone
+        CHECK(second.flags(26) == 0);
+        CHECK(second.tolerance(21) == 0.5);
+        CHECK(second.tolerance(22) == 1);
+        return {};
+      }
+    };
+    stages.add(Look{flag});
+  }
+}

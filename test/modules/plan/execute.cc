@@ -69,3 +69,16 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("a survivor lies at the centroid of those that have merged, as long as its cluster is not whole") {
+  const IndexedMesh mesh = meshes::flat_grid(4);
+  CollapsePlan plan;
+  plan.stages = {0};
+  const Eigen::Vector3d target(9, 9, 9);
+  plan.collapses = {{6, 5, 2, 2, target}, {10, 5, 2, 1, target}, {9, 5, 2, 0, target}};
+  const auto place = [&](std::size_t n) { return execute(plan, mesh, n).mesh.points[5]; };
+  CHECK(place(0) == Eigen::Vector3d(1, 1, 0));
+  CHECK(place(1) == Eigen::Vector3d(1.5, 1, 0));
+  CHECK(place(2).isApprox(Eigen::Vector3d(5.0 / 3, 4.0 / 3, 0), 1e-15));
+  CHECK(place(3) == target);
+}

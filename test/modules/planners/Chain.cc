@@ -5,6 +5,7 @@
 #include "meshes.hh"
 #include "whittle/planners/Circumcenter.hh"
 #include "whittle/planners/FaceAngle.hh"
+#include "whittle/planners/Fass.hh"
 #include "whittle/planners/SphereScan.hh"
 #include "whittle/planners/VertexDistance.hh"
 #include "whittle/planners/Vtd.hh"
@@ -258,4 +259,13 @@ TEST_CASE("all planners and all lengths keep locked vertices in place") {
       CHECK(changed == 0);
     });
   }
+}
+
+TEST_CASE("FASS scales both of its thresholds") {
+  Fass planner;
+  planner.face_angle.max_normal_angle = 40;
+  planner.sphere_scan.radius = 3;
+  const Fass half = planner.scaled(0.5);
+  CHECK(half.face_angle.max_normal_angle == 20);
+  CHECK(half.sphere_scan.radius == 1.5);
 }

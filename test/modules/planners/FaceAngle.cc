@@ -1,5 +1,9 @@
 #include "whittle/planners/FaceAngle.hh"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "catch.hh"
 #include "meshes.hh"
 #include "whittle/plan/execute.hh"
@@ -237,4 +241,76 @@ TEST_CASE("FAD leaves a mesh alone that has nothing to remove") {
     CHECK(plan(planner, meshes::lone_triangle()).collapses.empty());
     CHECK(plan(planner, meshes::isolated_points(3)).collapses.empty());
   }
+}
+
+namespace {
+
+/// The angles between the normals of the faces i and j, in degrees.
+double angle_between(const IndexedMesh& mesh, std::size_t i, std::size_t j) {
+  const SurfaceT<double> surface(mesh);
+  const Eigen::Vector3d a = surface.normal(static_cast<std::uint32_t>(i)),
+                        b = surface.normal(static_cast<std::uint32_t>(j));
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / meshes::kPi;
+}
+
+}  // namespace
+
+TEST_CASE("FAD compares every pair of faces, wherever the ring begins") {
+  // One corner of a cone is pulled down, so the edge to it is sharper than the others.
+  IndexedMesh mesh = meshes::cone(6, 0.05);
+  mesh.points[1].z() = -0.6;
+  mesh = meshes::shaken(mesh, 0.02, 1);
+  for (const auto pairs : {FaceAngle::Pairs::adjacent, FaceAngle::Pairs::all}) {
+    std::vector<double> angles;
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = i + 1; j < 6; ++j)
+        if (pairs == FaceAngle::Pairs::all || j == i + 1 || (i == 0 && j == 5))
+          angles.push_back(angle_between(mesh, i, j));
+    std::sort(angles.rbegin(), angles.rend());
+    REQUIRE(angles[0] > angles[1] + 1e-3);
+    FaceAngle planner = at((angles[0] + angles[1]) / 2);
+    planner.pairs = pairs;
+    planner.guard.min_cos = -1;
+    IndexedMesh turned = mesh;
+    for (int i = 0; i < 6; ++i) {
+      CHECK(plan(planner, turned).collapses.empty());
+      std::rotate(turned.triangles.begin(), turned.triangles.begin() + 1, turned.triangles.end());
+    }
+    planner.max_normal_angle = angles[0] + 1e-6;
+    CHECK(plan(planner, mesh).collapses.size() == 1);
+    planner.max_normal_angle = (angles[0] + angles[1]) / 2;  // all but one qualify
+    planner.count = static_cast<int>(angles.size()) - 1;
+    CHECK(plan(planner, mesh).collapses.size() == 1);
+  }
+}
+
+TEST_CASE("FAD's fan begins at the first of several vertices that are as good") {
+  IndexedMesh mesh = meshes::cone(4, 0);
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  for (int i = 0; i < 4; ++i) {
+    CHECK(plan(at(30), mesh).collapses[0].to == 1);
+    std::rotate(mesh.triangles.begin(), mesh.triangles.begin() + 1, mesh.triangles.end());
+  }
+}
+
+TEST_CASE("FAD's fan begins where the shape of the worst triangle is best, whatever its size") {
+  // A kite: from 1 or 3 the fan has two equal triangles; from 2 or 4 a large slender one and a small one.
+  IndexedMesh mesh = meshes::cone(4, 0);
+  mesh.points = {{0, 0, 0}, {4, 0, 0}, {0, 1, 0}, {-0.5, 0, 0}, {0, -1, 0}};
+  const auto quality = [&](std::size_t a, std::size_t b, std::size_t c) {
+    return detail::triangle_quality(mesh.points[a], mesh.points[b], mesh.points[c]);
+  };
+  const double from_1 = std::min(quality(1, 2, 3), quality(1, 3, 4)),
+               from_2 = std::min(quality(2, 3, 4), quality(2, 4, 1));
+  REQUIRE(from_2 > 1.1 * from_1);
+  CHECK(plan(at(30), mesh).collapses[0].to == 2);
+}
+
+TEST_CASE("FAD reports why the best fan was refused, not the last one") {
+  // Over a dent: the best fan, from 3, folds a face over; nothing else is legal or keeps to the guard either.
+  const CollapsePlan result = plan(at(180), meshes::tetrahedron());
+  CHECK(result.record.refused_by_flip_guard + result.record.refused_by_link == 4);
+  FaceAngle unguarded = at(180);
+  unguarded.guard.min_cos = -1;
+  CHECK(plan(unguarded, meshes::tetrahedron()).record.refused_by_link == 4);
 }

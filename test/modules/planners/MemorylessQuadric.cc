@@ -228,3 +228,29 @@ TEST_CASE("mq makes only finite coordinates, however small or large the mesh is"
     if (scale > 1e-299) CHECK(out.mesh.triangles.size() == 160);
   }
 }
+
+TEST_CASE("mq leaves a held vertex at its coordinates, which floats would round") {
+  IndexedMesh mesh = meshes::flat_grid(5);
+  const Eigen::Vector3d odd(2 + 1e-9, 2 - 1e-9, 1e-9);
+  mesh.points[12] = odd;
+  SurfaceExtras extras;
+  extras.flags.assign(25, 0);
+  extras.flags[12] = kLocked;
+  MemorylessQuadric planner;
+  planner.target_faces = 12;
+  bool is_target = false;
+  for (const Collapse& collapse : planner.plan(SurfaceT<double>(mesh, extras)).collapses) {
+    CHECK(collapse.from != 12);
+    if (collapse.to != 12) continue;
+    CHECK(collapse.target == odd);
+    is_target = true;
+  }
+  CHECK(is_target);
+}
+
+TEST_CASE("mq without a bound has none to scale") {
+  CHECK(MemorylessQuadric().scaled(0).max_distance == HUGE_VAL);
+  MemorylessQuadric planner;
+  planner.max_distance = 3;
+  CHECK(planner.scaled(0.5).max_distance == 1.5);
+}

@@ -50,14 +50,16 @@ TEST_CASE("the quadric of the planes around a cube's corner has its least point 
   const IndexedMesh mesh = meshes::cube_corner(0.5);
   const SurfaceT<double> surface(mesh);
   const std::vector<std::uint32_t> around{0, 1, 2, 3};
-  const detail::PlaneQuadric quadric(surface, around, {0.1, 0.1, 0.1});
+  detail::HubPlanes hubs;
+  const detail::PlaneQuadric quadric(surface, around, {0.1, 0.1, 0.1}, hubs);
   CHECK(quadric.best(10).norm() < 1e-4);
   CHECK(quadric.error({0, 0, 0}) < 1e-12);
   CHECK((quadric.best(0.05) - Eigen::Vector3d(0.1, 0.1, 0.1)).norm() == Approx(0.05));
   // One face of area 1/2 in the plane z = 0: error is twice the area times the squared distance.
   const IndexedMesh triangle = meshes::lone_triangle();
   const SurfaceT<double> flat(triangle);
-  CHECK(detail::PlaneQuadric(flat, std::vector<std::uint32_t>{0}, {0, 0, 5}).error({7, 7, 3}) == Approx(9));
+  CHECK(detail::PlaneQuadric(flat, std::vector<std::uint32_t>{0}, {0, 0, 5}, hubs).error({7, 7, 3}) ==
+        Approx(9));
 }
 
 TEMPLATE_TEST_CASE("by error, flat places go before hilly ones", "", Circumcenter, VertexDistance,
@@ -102,5 +104,42 @@ TEST_CASE("placement by quadrics keeps a ridge where midpoints and centres eat i
     INFO(i);
     CHECK(before[i] > 0.01);
     CHECK(after[i] < 0.2 * before[i]);
+  }
+}
+
+TEST_CASE("the error of a point is area times its squared distance from each plane") {
+  // The planes x, y and z = 0 of a cube's corner: two faces of half a square each at the corner itself.
+  const IndexedMesh mesh = meshes::cube_corner(0.5);
+  const SurfaceT<double> surface(mesh);
+  const std::array<std::uint32_t, 1> corner{0};
+  double area = 0;  // around the corner, twice, on each side
+  for (std::uint32_t f = 0; f < surface.n_faces(); ++f) {
+    const auto& t = surface.triangle(f);
+    if ((t[0] == 0 || t[1] == 0 || t[2] == 0) && std::abs(surface.normal(f).z()) > 0)
+      area += surface.normal(f).norm();
+  }
+  for (const Eigen::Vector3d& center : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, -2, 3)}) {
+    detail::HubPlanes hubs;
+    const detail::PlaneQuadric quadric(surface, corner, center, hubs);
+    CHECK(quadric.error({0, 0, 0}) == Approx(0).margin(1e-12));
+    CHECK(quadric.error({0, 0, 2}) == Approx(area * 4));
+    CHECK(quadric.error({1, 2, 3}) == Approx(area * 14));
+  }
+}
+
+TEST_CASE("the planes around a hub are those around any vertex, seen from anywhere") {
+  for (const int n : {64, 65, 200}) {  // up to 64 faces are summed each time
+    const IndexedMesh mesh = meshes::cone(n, 0.5);
+    const SurfaceT<double> surface(mesh);
+    const std::array<std::uint32_t, 1> tip{0};
+    const Eigen::Vector3d at(0.3, -0.2, 1);
+    double expected = 0;
+    for (std::uint32_t f = 0; f < surface.n_faces(); ++f) {
+      const double offset = surface.normal(f).normalized().dot(at - mesh.points[0]);
+      expected += surface.normal(f).norm() * offset * offset;
+    }
+    detail::HubPlanes hubs;
+    for (const Eigen::Vector3d& center : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, -2, 3)})
+      CHECK(detail::PlaneQuadric(surface, tip, center, hubs).error(at) == Approx(expected));
   }
 }

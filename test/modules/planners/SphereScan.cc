@@ -304,3 +304,11 @@ TEST_CASE("SS's threshold scales") {
   CHECK(quadric(0.5).scaled(0.5).radius == 0.25);
   CHECK(quadric(0.5).scaled(0.5).placement == SphereScan::Placement::quadric);
 }
+
+TEST_CASE("SS takes the first of several nearest neighbours where the whole is refused") {
+  // All edges of an octahedron are as long. The ring of 0 begins at its first face, 0 1 4, with 1.
+  const CollapsePlan merged = plan(within(2, -1), meshes::octahedron());
+  REQUIRE_FALSE(merged.collapses.empty());
+  CHECK(merged.collapses[0].from == 1);
+  CHECK(merged.collapses[0].to == 0);
+}

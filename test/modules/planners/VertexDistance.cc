@@ -1,5 +1,7 @@
 #include "whittle/planners/VertexDistance.hh"
 
+#include <algorithm>
+
 #include "catch.hh"
 #include "meshes.hh"
 #include "whittle/plan/execute.hh"
@@ -234,4 +236,58 @@ TEST_CASE("IVDD leaves a mesh alone that has nothing to fold") {
     CHECK(plan(planner, meshes::lone_triangle()).collapses.empty());
     CHECK(plan(planner, meshes::isolated_points(3)).collapses.empty());
   }
+}
+
+TEST_CASE("IVDD with quadric placement moves an edge's vertex by at most half the edge") {
+  // A narrow flat top between two steep sides, whose planes meet far above it.
+  IndexedMesh mesh =
+      meshes::grid(6, [](std::uint32_t i, std::uint32_t) { return i < 3 ? 3 * (i - 2.0) : -3 * (i - 3.0); });
+  for (auto& p : mesh.points)
+    if (p.x() > 2.5) p.x() -= 0.9;  // the top is 0.1 wide
+  VertexDistance planner = folding(0.11);
+  planner.placement = VertexDistance::Placement::quadric;
+  planner.guard.min_cos = -1;
+  std::vector<std::uint8_t> flags(36, kLocked);
+  flags[14] = flags[15] = 0;
+  const CollapsePlan folded = plan(planner, mesh, flags);
+  REQUIRE(meshes::merges(folded).size() == 1);
+  CHECK(folded.collapses[0].target.isApprox(Eigen::Vector3d(2.05, 2, 0.05), 1e-9));
+}
+
+TEST_CASE("quadric placement moves a triangle's point by at most the radius of its circle") {
+  // An obtuse triangle on a narrow top: its circle's radius is half the longest edge, which the third corner is
+  // nearer to the middle than.
+  IndexedMesh mesh =
+      meshes::grid(6, [](std::uint32_t i, std::uint32_t) { return i < 3 ? 3 * (i - 2.0) : -3 * (i - 3.0); });
+  for (auto& p : mesh.points) {
+    if (p.x() > 2.5) p.x() -= 0.95;  // the top is 0.05 wide
+    p.y() *= 0.04;
+  }
+  VertexDistance planner = folding(0.1);
+  planner.placement = VertexDistance::Placement::quadric;
+  planner.guard.min_cos = -1;
+  std::vector<std::uint8_t> flags(36, kLocked);
+  flags[14] = flags[15] = flags[21] = 0;  // 14 15 21: a right angle at 15
+  mesh.points[15].y() += 0.01;            // and now more than that
+  std::swap(mesh.triangles[0],
+            *std::find(mesh.triangles.begin(), mesh.triangles.end(), IndexedMesh::Triangle{14, 15, 21}));
+  const CollapsePlan folded = plan(planner, mesh, flags);
+  REQUIRE(folded.collapses.size() == 2);
+  const Eigen::Vector3d middle = (mesh.points[14] + mesh.points[21]) / 2;
+  const double radius = (mesh.points[14] - mesh.points[21]).norm() / 2;
+  CHECK((folded.collapses[1].target - middle).norm() == Approx(radius).epsilon(1e-9));
+}
+
+TEST_CASE("IVDD leaves a boundary edge's vertex in its middle with any placement") {
+  const IndexedMesh roof =
+      meshes::grid(4, [](std::uint32_t i, std::uint32_t j) { return i == 1 ? 0.5 : 0.1 * j; });
+  VertexDistance planner = folding(9);
+  planner.placement = VertexDistance::Placement::quadric;
+  planner.boundary = Boundary::merge;
+  planner.guard.min_cos = -1;
+  std::vector<std::uint8_t> flags(16, kLocked);
+  flags[1] = flags[2] = 0;
+  const CollapsePlan folded = plan(planner, roof, flags);
+  REQUIRE(folded.collapses.size() == 1);
+  CHECK(folded.collapses[0].target == (roof.points[1] + roof.points[2]) / 2);
 }

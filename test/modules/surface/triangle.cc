@@ -1,5 +1,7 @@
 #include "whittle/surface/triangle.hh"
 
+#include <tuple>
+
 #include "catch.hh"
 
 using namespace whittle::detail;
@@ -60,4 +62,11 @@ TEST_CASE("the distance to a triangle is that to its nearest corner, side or ins
   CHECK(square(2 + 3, 1.5 + 4, 0) == Approx(25));  // straight out from the middle of the long side
   CHECK(square(1, 1, 0) == 0);
   CHECK_FALSE(squared_distance(Vector3d(5, 1, 0), a, a, a) < 25);  // no triangle at all
+}
+
+TEST_CASE("a triangle without a circumcentre has the middle of its longest edge, whichever that is") {
+  const Vector3d p(0, 0, 0), q(3, 0, 0), r(1, 0, 0), middle(1.5, 0, 0);
+  for (const auto& [a, b, c] :
+       {std::tuple(p, q, r), std::tuple(q, r, p), std::tuple(r, p, q), std::tuple(q, p, r)})
+    CHECK(circumcenter(a, b, c) == middle);
 }
