@@ -82,3 +82,11 @@ TEST_CASE("a survivor lies at the centroid of those that have merged, as long as
   CHECK(place(2).isApprox(Eigen::Vector3d(5.0 / 3, 4.0 / 3, 0), 1e-15));
   CHECK(place(3) == target);
 }
+
+TEST_CASE("a survivor that its whole cluster leaves in place does not move for a part of it") {
+  const IndexedMesh mesh = meshes::flat_grid(4);
+  CollapsePlan plan;
+  plan.stages = {0};
+  plan.collapses = {{6, 5, 2, 1, mesh.points[5]}, {10, 5, 2, 0, mesh.points[5]}};
+  for (const std::size_t n : {1u, 2u}) CHECK(execute(plan, mesh, n).mesh.points[5] == mesh.points[5]);
+}

@@ -314,3 +314,21 @@ TEST_CASE("FAD reports why the best fan was refused, not the last one") {
   unguarded.guard.min_cos = -1;
   CHECK(plan(unguarded, meshes::tetrahedron()).record.refused_by_link == 4);
 }
+
+TEST_CASE("FAD's fan of a boundary vertex starts at the better of its two ends") {
+  // Around 1 lie 2 5 4 0; the fan from 2 has the triangles 2 5 4 and 2 4 0, that from 0 has 0 2 5 and 0 5 4.
+  for (const std::uint32_t better : {2u, 0u}) {
+    IndexedMesh mesh = meshes::flat_grid(3);
+    if (better == 0) {
+      mesh.points[4] = {0.05, 1, 0};
+      mesh.points[5] = {1, 1, 0};
+    }
+    FaceAngle planner = at(1);
+    planner.boundary = Boundary::merge;
+    std::vector<std::uint8_t> flags(9, kLocked);
+    flags[1] = 0;
+    const CollapsePlan result = plan(planner, mesh, flags);
+    REQUIRE(removed(result) == std::vector<std::uint32_t>{1});
+    CHECK(result.collapses[0].to == better);
+  }
+}

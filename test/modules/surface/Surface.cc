@@ -188,3 +188,18 @@ TEST_CASE("an empty mesh is a surface without vertices") {
   CHECK(Surface(mesh).n_vertices() == 0);
   CHECK(Surface(mesh).n_faces() == 0);
 }
+
+TEST_CASE("both ends of an edge are on a seam if its faces differ at either of them") {
+  const IndexedMesh mesh = meshes::flat_grid(4);
+  for (const std::uint32_t split :
+       {0u, 5u}) {  // at one end of the edge 0 5, between the faces 0 1 5 and 0 5 4
+    auto wedges = mesh.triangles;
+    REQUIRE(wedges[1] == IndexedMesh::Triangle{0, 5, 4});
+    wedges[1][split == 0 ? 0 : 1] = 100;
+    const std::vector<bool> seams = on_seams(mesh.triangles, wedges, 16);
+    CHECK(seams[0]);
+    CHECK(seams[5]);
+    CHECK(seams[15] == false);
+    CHECK(seams[4] == (split == 5));  // that corner of the face differs along its other edge, too
+  }
+}
