@@ -32,29 +32,21 @@ void Sampler::interpolate(const Eigen::Vector3d& p, const std::vector<std::uint3
     nearest = f;
     at = q;
   }
-  const auto share = measure::shares(measure::corners(mesh_, mesh_.triangles[nearest]), at);
+  add(nearest, measure::shares(measure::corners(mesh_, mesh_.triangles[nearest]), at));
+}
+
+void Sampler::add(std::uint32_t face, const std::array<double, 3>& shares) {
   std::array<double, 4> sum{};
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t i = 0; i < in_.components; ++i)
-      sum[i] += share[k] * static_cast<double>(in_.value(in_.at(mesh_, nearest, k))[i]);
-  add(sum, in_.at(mesh_, nearest, 0));
-}
-
-void Sampler::between(std::uint32_t from, std::uint32_t to, double share) {
-  std::array<double, 4> sum{};
-  for (std::size_t i = 0; i < in_.components; ++i)
-    sum[i] =
-        (1 - share) * static_cast<double>(in_.value(from)[i]) + share * static_cast<double>(in_.value(to)[i]);
-  add(sum, from);
-}
-
-void Sampler::add(std::array<double, 4> value, std::uint32_t fallback) {
+      if (shares[k] != 0) sum[i] += shares[k] * static_cast<double>(in_.value(in_.at(mesh_, face, k))[i]);
   if (in_.kind == Kind::normal) {
-    const double length = std::sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
-    if (!(length > 0)) return copy(fallback);
-    for (double& x : value) x /= length;
+    const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    const std::size_t fallback = shares[0] != 0 ? 0 : shares[1] != 0 ? 1 : 2;
+    if (!(length > 0)) return copy(in_.at(mesh_, face, fallback));
+    for (double& x : sum) x /= length;
   }
-  for (std::size_t i = 0; i < in_.components; ++i) out_.values.push_back(static_cast<float>(value[i]));
+  for (std::size_t i = 0; i < in_.components; ++i) out_.values.push_back(static_cast<float>(sum[i]));
 }
 
 Attribute Sampler::take(std::vector<IndexedMesh::Triangle> corners) {

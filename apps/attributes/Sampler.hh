@@ -26,17 +26,14 @@ class Sampler {
   void copy(std::uint32_t value);
   /// The value at the point of these faces that is nearest to `p`. \pre there are some
   void interpolate(const Eigen::Vector3d& p, const std::vector<std::uint32_t>& faces);
-  /// The value at a share of the way from one to another.
-  void between(std::uint32_t from, std::uint32_t to, double share);
+  /// The value at the point of a face in which its corners have these shares; a normal gets its length of one.
+  void add(std::uint32_t face, const std::array<double, 3>& shares);
   /// \}
 
   /// An attribute of the same kind with the values collected, and as many faces' corners.
   Attribute take(std::vector<IndexedMesh::Triangle> corners);
 
  private:
-  /// A normal gets its length of one, or is the fallback where it has none.
-  void add(std::array<double, 4> value, std::uint32_t fallback);
-
   const Attribute& in_;
   const IndexedMesh& mesh_;
   Attribute out_;

@@ -38,13 +38,7 @@ inline Eigen::Vector3d closest_point(const Eigen::Vector3d& p, const Corners& t)
 
 /// Shares of a triangle's corners in a point of it; all that of the first where it has no area.
 inline std::array<double, 3> shares(const Corners& t, const Eigen::Vector3d& p) {
-  const Eigen::Vector3d normal = t.normal();
-  const double area = normal.squaredNorm();
-  if (!(area > 0)) return {1, 0, 0};
-  const double b = (p - t.a).cross(t.c - t.a).dot(normal) / area;
-  const double c = (t.b - t.a).cross(p - t.a).dot(normal) / area;
-  const double inside_b = std::clamp(b, 0.0, 1.0), inside_c = std::clamp(c, 0.0, 1.0 - inside_b);
-  return {1 - inside_b - inside_c, inside_b, inside_c};
+  return whittle::detail::shares(p, t.a, t.b, t.c);
 }
 
 }  // namespace whittle::measure

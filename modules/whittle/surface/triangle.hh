@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace whittle::detail {
@@ -79,6 +81,18 @@ Eigen::Matrix<Real, 3, 1> closest_point(const Eigen::Matrix<Real, 3, 1>& p,
     ((point += step.share * step.side), ...);
     return point;
   });
+}
+
+/// Shares of a triangle's corners in a point of it; all that of the first where it has no area.
+inline std::array<double, 3> shares(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                    const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const double area = normal.squaredNorm();
+  if (!(area > 0)) return {1, 0, 0};
+  const double of_b = (p - a).cross(c - a).dot(normal) / area;
+  const double of_c = (b - a).cross(p - a).dot(normal) / area;
+  const double inside_b = std::clamp(of_b, 0.0, 1.0), inside_c = std::clamp(of_c, 0.0, 1.0 - inside_b);
+  return {1 - inside_b - inside_c, inside_b, inside_c};
 }
 
 /// The square of the distance; more accurate than from `closest_point`, whose coordinates are rounded.

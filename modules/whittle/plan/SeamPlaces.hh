@@ -1,0 +1,230 @@
+/// \file
+/// Where the values at a vertex come from that others have merged into, on each side of the seams there.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "whittle/plan/Patches.hh"
+#include "whittle/surface/Lists.hh"
+#include "whittle/surface/triangle.hh"
+
+namespace whittle::detail {
+
+/// Finds the place in the input from which each corner of a vertex takes its values, so that nothing tears.
+///
+/// Inside a chart that is the nearest point of the chart's faces around the vertex's members, the vertices that became
+/// it. On a seam each patch around it takes the values at a point of its border, and the two of a seam those at the
+/// same one: the nearest on the edges between the two at the members. Where three charts or more meet and the corner
+/// has moved along the seam of two of them, the others keep the values at the corner.
+class SeamPlaces {
+ public:
+  using Triangles = Patches::Triangles;
+
+  /// A point of a face of the input: the shares of its corners, which add up to 1.
+  struct Place {
+    std::uint32_t face;
+    std::array<double, 3> shares;
+  };
+  /// The corner of a face, by the face that it was in the input. Corners with the same wedge take the same values.
+  struct Corner {
+    std::uint32_t face, wedge;
+  };
+
+  /// The input, all of which must outlive this. \param wedges  for each triangle
+  SeamPlaces(const std::vector<Eigen::Vector3d>& points, const Triangles& triangles, const Triangles& wedges)
+      : points_(points), triangles_(triangles), patches_(triangles, wedges, points.size()) {}
+
+  /// Looks for the places of a vertex at `p`.
+  /// \param members  the vertices that became it, ascending
+  /// \param corners  of all faces that it has now; each face is one of those around the members
+  void find(const Eigen::Vector3d& p, Lists::Range members, const std::vector<Corner>& corners);
+
+  /// Corners take their values in groups, one for each side of the seams.
+  std::size_t n_groups() const { return places_.size(); }
+  /// The group of the i-th of the corners.
+  std::uint32_t group(std::size_t i) const { return group_of_corner_[i]; }
+  const Place& place(std::uint32_t group) const { return places_[group]; }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// Where groups met in the input.
+  struct Spot {
+    double squared_distance;
+    std::vector<std::uint32_t> groups;  ///< that meet there; ascending
+    std::uint32_t seam;                 ///< of `patches_`, where the place is on one; else kNone
+    std::uint32_t vertex;               ///< the place, where it is one
+    double share;                       ///< on a seam, from its lower vertex to its higher one
+  };
+
+  void find_groups(const std::vector<Corner>& corners);
+  /// The group of the patch of the i-th face of `patches_`; kNone if nothing is left of it.
+  std::uint32_t group_of(std::uint32_t i);
+  bool is_open(std::uint32_t group) const { return places_[group].face == kNone; }
+
+  void find_spots(const Eigen::Vector3d& p, Lists::Range members);
+  void find_corner_spots(const Eigen::Vector3d& p, Lists::Range members, double longest);
+  void add_spot(Spot&& spot);
+  Place place_at(const Spot& spot, std::uint32_t group);
+  Place nearest_place(const Eigen::Vector3d& p, std::uint32_t group);
+
+  const std::vector<Eigen::Vector3d>& points_;
+  const Triangles& triangles_;
+  Patches patches_;
+  // At the current vertex:
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> first_;  // of each wedge: a face of `patches_`
+  std::vector<std::uint32_t> root_, group_of_corner_;           // of each group its patch; of each corner
+  std::vector<Place> places_;                                   // of each group
+  std::vector<Spot> spots_;
+};
+
+inline void SeamPlaces::find(const Eigen::Vector3d& p, Lists::Range members,
+                             const std::vector<Corner>& corners) {
+  patches_.gather(members);
+  find_groups(corners);
+  places_.assign(root_.size(), {kNone, {}});
+  spots_.clear();
+  if (places_.size() > 1) find_spots(p, members);
+  // Those that met in one place together: the nearest place first, but where there are only two, one where they met.
+  for (;;) {
+    const Spot* best = nullptr;
+    std::tuple<bool, double, std::ptrdiff_t> least;
+    for (const Spot& spot : spots_) {
+      const auto n = std::count_if(spot.groups.begin(), spot.groups.end(),
+                                   [&](std::uint32_t group) { return is_open(group); });
+      const std::tuple rank(places_.size() == 2 && n < 2, spot.squared_distance, -n);
+      if (n == 0 || (best && !(rank < least))) continue;
+      best = &spot;
+      least = rank;
+    }
+    if (best == nullptr) break;
+    for (const std::uint32_t group : best->groups)
+      if (is_open(group)) places_[group] = place_at(*best, group);
+  }
+  for (std::uint32_t group = 0; group < places_.size(); ++group)
+    if (is_open(group)) places_[group] = nearest_place(p, group);
+}
+
+/// The patches of faces whose corners have one wedge make a group.
+inline void SeamPlaces::find_groups(const std::vector<Corner>& corners) {
+  first_.clear();
+  root_.clear();
+  group_of_corner_.clear();
+  for (const Corner& corner : corners) {
+    const std::uint32_t i = patches_.place(corner.face);
+    const auto known = std::find_if(first_.begin(), first_.end(),
+                                    [&](const auto& entry) { return entry.first == corner.wedge; });
+    if (known == first_.end())
+      first_.emplace_back(corner.wedge, i);
+    else
+      patches_.join(known->second, i);
+  }
+  for (const auto& entry : first_)
+    if (group_of(entry.second) == kNone) root_.push_back(patches_.patch(entry.second));
+  for (const Corner& corner : corners) group_of_corner_.push_back(group_of(patches_.place(corner.face)));
+}
+
+inline std::uint32_t SeamPlaces::group_of(std::uint32_t i) {
+  const auto found = std::find(root_.begin(), root_.end(), patches_.patch(i));
+  return found == root_.end() ? kNone : static_cast<std::uint32_t>(found - root_.begin());
+}
+
+inline void SeamPlaces::add_spot(Spot&& spot) {
+  std::sort(spot.groups.begin(), spot.groups.end());
+  spot.groups.erase(std::unique(spot.groups.begin(), spot.groups.end()), spot.groups.end());
+  if (!spot.groups.empty()) spots_.push_back(std::move(spot));
+}
+
+inline void SeamPlaces::find_spots(const Eigen::Vector3d& p, Lists::Range members) {
+  double longest = 0;
+  for (std::uint32_t s = 0; s < patches_.seams().size(); ++s) {
+    const auto& seam = patches_.seams()[s];
+    const Eigen::Vector3d a = points_[seam.low], e = points_[seam.high] - a;
+    const double square = e.squaredNorm();
+    const double share = square > 0 ? std::clamp((p - a).dot(e) / square, 0.0, 1.0) : 0;
+    longest = std::max(longest, square);
+    Spot spot{(a + share * e - p).squaredNorm(), {}, s, kNone, share};
+    for (const std::uint32_t face : {seam.first.face, seam.second.face})
+      if (const std::uint32_t group = group_of(face); group != kNone) spot.groups.push_back(group);
+    add_spot(std::move(spot));
+  }
+  if (places_.size() > 2) find_corner_spots(p, members, longest);
+}
+
+/// What a member alone can tell: where three patches or more met. All of them stay there as long as it hardly moves.
+/// \param longest  square of the longest seam edge's length
+inline void SeamPlaces::find_corner_spots(const Eigen::Vector3d& p, Lists::Range members, double longest) {
+  constexpr double kHardly = 1e-3;  // of an edge
+  std::vector<Spot> at;
+  for (const auto& seam : patches_.seams())
+    for (const std::uint32_t v : {seam.low, seam.high}) {
+      if (!std::binary_search(members.first, members.second, v)) continue;
+      const double square = (points_[v] - p).squaredNorm();
+      at.push_back({square > kHardly * kHardly * longest ? square : 0, {}, kNone, v, 0});
+    }
+  std::sort(at.begin(), at.end(), [](const Spot& a, const Spot& b) { return a.vertex < b.vertex; });
+  at.erase(
+      std::unique(at.begin(), at.end(), [](const Spot& a, const Spot& b) { return a.vertex == b.vertex; }),
+      at.end());
+  for (std::uint32_t i = 0; i < patches_.faces().size(); ++i)
+    for (const std::uint32_t v : triangles_[patches_.faces()[i]]) {
+      const auto found =
+          std::lower_bound(at.begin(), at.end(), v,
+                           [](const Spot& spot, std::uint32_t vertex) { return spot.vertex < vertex; });
+      if (found == at.end() || found->vertex != v) continue;
+      if (const std::uint32_t group = group_of(i); group != kNone) found->groups.push_back(group);
+    }
+  for (Spot& spot : at) add_spot(std::move(spot));
+}
+
+/// The place of one of the groups that meet at a spot, on the group's own side.
+inline auto SeamPlaces::place_at(const Spot& spot, std::uint32_t group) -> Place {
+  Place place{kNone, {0, 0, 0}};
+  if (spot.vertex == kNone) {
+    const auto& seam = patches_.seams()[spot.seam];
+    const auto& side = group_of(seam.first.face) == group ? seam.first : seam.second;
+    place.face = patches_.faces()[side.face];
+    place.shares[side.at_low] = 1 - spot.share;
+    place.shares[side.at_high] = spot.share;
+    return place;
+  }
+  for (std::uint32_t i = 0; i < patches_.faces().size() && place.face == kNone; ++i) {
+    const auto& t = triangles_[patches_.faces()[i]];
+    const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), spot.vertex) - t.begin());
+    if (k == 3 || group_of(i) != group) continue;
+    place.face = patches_.faces()[i];
+    place.shares[k] = 1;
+  }
+  return place;
+}
+
+/// The nearest point of a group's faces.
+inline auto SeamPlaces::nearest_place(const Eigen::Vector3d& p, std::uint32_t group) -> Place {
+  std::uint32_t nearest = kNone;
+  double least = HUGE_VAL;
+  Eigen::Vector3d at = p;
+  for (std::uint32_t i = 0; i < patches_.faces().size(); ++i) {
+    if (group_of(i) != group) continue;
+    const std::uint32_t f = patches_.faces()[i];
+    const auto& [a, b, c] = triangles_[f];
+    if (nearest == kNone) nearest = f;  // whatever its shape
+    const Eigen::Vector3d q = closest_point(p, points_[a], points_[b], points_[c]);
+    const double distance = (q - p).squaredNorm();
+    if (!(distance < least)) continue;
+    least = distance;
+    nearest = f;
+    at = q;
+  }
+  const auto& [a, b, c] = triangles_[nearest];
+  return {nearest, shares(at, points_[a], points_[b], points_[c])};
+}
+
+}  // namespace whittle::detail
