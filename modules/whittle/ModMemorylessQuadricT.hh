@@ -18,6 +18,9 @@ namespace whittle {
 /// cuts the plan off where it is, which is nearly as good. Whittle's drivers throw NotReady where neither has a target
 /// and there is no bound; OpenMesh's own cannot tell, and go on until nothing is legal. Survivors move, but stock
 /// binary modules judge a collapse as if they did not.
+///
+/// Seams, edges at which half-edge texture coordinates (1D, 2D, 3D) differ, move: their vertices merge along them, and
+/// both sides take the coordinates of one place of the border.
 template <typename MeshT>
 class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
  public:
@@ -44,6 +47,11 @@ class ModMemorylessQuadricT : public ModPlannedT<MeshT, MemorylessQuadric> {
   /// \throw InvalidParameter
   void set_max_distance(double distance) {
     this->change([&](MemorylessQuadric& p) { p.max_distance = distance; });
+  }
+  /// Whether each chart, what seams and the boundary enclose, keeps a face at least. Default: a chart may vanish, and
+  /// its neighbours close over it.
+  void set_keep_charts(bool keep) {
+    this->change([&](MemorylessQuadric& p) { p.keep_charts = keep; });
   }
   /// Lets the mesh's normals, colours and texture coordinates, of vertices and of half-edges, count beside
   /// the shape, where vertices go as well as in what order. Half-edge texture coordinates count where all

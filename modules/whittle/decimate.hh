@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +19,10 @@
 #include "whittle/compact.hh"
 #include "whittle/openmesh/ModPlannedT.hh"
 #include "whittle/openmesh/RunReport.hh"
+#include "whittle/openmesh/StatusesT.hh"
 #include "whittle/openmesh/convert.hh"
 #include "whittle/openmesh/describe.hh"
+#include "whittle/plan/SeamRecord.hh"
 #include "whittle/plan/TargetCount.hh"
 #include "whittle/plan/execute.hh"
 #include "whittle/plan/locks.hh"
@@ -48,6 +51,10 @@ struct DecimateOptions {
   /// Vertices with OpenMesh's status *selected* stay, as locked and feature ones always do.
   bool lock_selected = false;
 
+  /// Each chart, what the boundary and seams of half-edge texture coordinates, or of wedges, enclose, keeps a face at
+  /// least. Otherwise a chart may vanish, and its neighbours close over it.
+  bool keep_charts = false;
+
   /// For each vertex a factor of `max_distance` and of the planner's threshold: 0 keeps the vertex, 1 is neutral.
   /// >= 0. An invalid handle: none.
   OpenMesh::VPropHandleT<float> tolerance = OpenMesh::VPropHandleT<float>();
@@ -69,8 +76,10 @@ struct DecimateReport {
   std::string why;  ///< why the target was not reached, in one line; else empty
   /// Vertices of the input that are locked, features, selected or on a locked boundary.
   std::size_t held = 0;
-  std::size_t seams = 0;  ///< vertices of the input that stay because their texture coordinates differ
-  PlanRecord record;      ///< merges planned, and refused by flip guard, link condition and bound
+  std::size_t seams = 0;        ///< vertices of the input that stay as they lie on seams, which do not move
+  std::size_t charts = 0;       ///< of the input, what its seams enclose; 0 where it has no seams
+  std::size_t charts_gone = 0;  ///< of these, how many have no face left
+  PlanRecord record;            ///< merges planned, and refused by flip guard, link condition and bound
   /// For each vertex of the input, by its index there, the vertex of the result that it became; kNoVertex if none.
   std::vector<std::uint32_t> vertex_map;
   static constexpr std::uint32_t kNoVertex = 0xffffffffu;
@@ -118,6 +127,7 @@ Planner with_options(Planner planner, const DecimateOptions& options, const Targ
       planner.target_vertices = target.vertices;
     }
     planner.max_distance = std::min(planner.max_distance, options.max_distance);
+    planner.keep_charts = planner.keep_charts || options.keep_charts;
   } else {
     if (options.max_distance < HUGE_VAL)
       throw InvalidParameter(
@@ -149,11 +159,20 @@ void add_locks(const IndexedMeshT<Real>& mesh, const DecimateOptions& options,
   if (options.lock_feature_angle < 180) lock_features(surface, options.lock_feature_angle, flags);
 }
 
-inline void count_held(const std::vector<std::uint8_t>& flags, DecimateReport& report) {
-  for (const std::uint8_t flag : flags) {
-    report.held += (flag & (kLocked | kFeature)) != 0;
-    report.seams += (flag & (kLocked | kFeature)) == 0 && (flag & kSeam) != 0;
+/// Counts the vertices that the planner leaves where they are, and the charts that are gone.
+/// \param flags        of the user, for each vertex
+/// \param face_origin  for each face that is left, the face that it was
+inline void count(const std::vector<std::uint8_t>& flags, const SeamRecord& seams, bool seams_move,
+                  const std::vector<std::uint32_t>& face_origin, DecimateReport& report) {
+  const bool all_move = seams_move && !seams.empty();
+  for (std::size_t v = 0; v < flags.size(); ++v) {
+    const bool is_held = (flags[v] & (kLocked | kFeature)) != 0;
+    report.held += is_held;
+    report.seams += !is_held && !all_move && ((flags[v] & kSeam) != 0 || seams.has(v));
   }
+  if (seams.empty()) return;
+  report.charts = seams.charts.count;
+  report.charts_gone = count_vanished(seams.charts, face_origin);
 }
 
 /// Fills in whether the target was reached, and why not.
@@ -181,6 +200,15 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
     this->set_enough(target.faces, target.vertices);
   }
   const std::vector<std::uint8_t>& flags() const { return flags_; }
+  const SeamRecord& seams() const { return seams_; }
+
+  /// For each face of the mesh that is left, which of those of the plan's input it was.
+  std::vector<std::uint32_t> face_origin() {
+    std::vector<std::uint32_t> origin;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      if (!this->mesh().status(faces_[i]).deleted()) origin.push_back(static_cast<std::uint32_t>(i));
+    return origin;
+  }
 
  protected:
   void describe(const MeshT& mesh, const IndexedMeshT<typename MeshT::Scalar>& indexed,
@@ -192,6 +220,10 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
     if (options_->weight.is_valid()) add_weights(mesh, extras.tolerance);
     add_values(mesh, options_->values, extras);
     flags_ = extras.flags;
+    seams_ = SeamRecord(indexed, extras.wedges);
+    faces_.clear();
+    if (seams_.charts.count > 0)
+      for (const auto f : mesh.faces()) faces_.push_back(f);  // without deleted ones
   }
 
  private:
@@ -209,27 +241,8 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
 
   const DecimateOptions* options_ = nullptr;
   std::vector<std::uint8_t> flags_;
-};
-
-/// The status properties that a decimation needs, for as long as this lives.
-template <typename Mesh>
-class Statuses {
- public:
-  explicit Statuses(Mesh& mesh) : mesh_(mesh) {
-    mesh_.request_vertex_status();
-    mesh_.request_edge_status();
-    mesh_.request_face_status();
-  }
-  ~Statuses() {
-    mesh_.release_vertex_status();
-    mesh_.release_edge_status();
-    mesh_.release_face_status();
-  }
-  Statuses(const Statuses&) = delete;
-  Statuses& operator=(const Statuses&) = delete;
-
- private:
-  Mesh& mesh_;
+  SeamRecord seams_;
+  std::vector<typename MeshT::FaceHandle> faces_;  // of the input, if it has seams
 };
 
 }  // namespace detail
@@ -246,9 +259,10 @@ class Statuses {
 ///
 /// Vertices and faces that stay keep their order, their properties and the user's own; where a vertex has moved, its
 /// normal, colour and texture coordinates, those of half-edges too, are those at the nearest point of the input, and
-/// face normals are computed anew. Vertices with status locked or feature and those on a seam of half-edge texture
-/// coordinates stay where they are. The status properties are requested for the call and released again; elements that
-/// were deleted before are removed, too. If it throws, the mesh is as it was.
+/// face normals are computed anew. Vertices with status locked or feature stay where they are. Those on a seam of
+/// half-edge texture coordinates merge along the seam with MemorylessQuadric, and both sides take the coordinates of one
+/// place of it; with other planners they stay. The status properties are requested for the call and released again;
+/// elements that were deleted before are removed, too. If it throws, the mesh is as it was.
 /// \param planner  what decides which vertices merge; MemorylessQuadric goes to a target with the least change of shape.
 /// \throw InvalidParameter  an option or a parameter outside its range, a tolerance or weight that is.
 /// \throw InvalidMesh       a face is not a triangle, a coordinate is not finite.
@@ -258,7 +272,7 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   static_assert(Mesh::is_trimesh(), "whittle decimates triangle meshes");
   if (options.lock_selected && !mesh.has_vertex_status())
     throw InvalidParameter("decimate: lock_selected needs a mesh with vertex status");
-  const detail::Statuses<Mesh> statuses(mesh);
+  const detail::StatusesT<Mesh> statuses(mesh);
   DecimateReport report;
   const auto count = [](const auto& range) {
     return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
@@ -271,7 +285,8 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   typename detail::ModDecimateT<Mesh, Planner>::Handle handle;
   decimater.add(handle);
   auto& module = decimater.module(handle);
-  module.set_planner(detail::with_options(planner, options, target));
+  const Planner ready = detail::with_options(planner, options, target);
+  module.set_planner(ready);
   module.set_options(options, target);
   module.set_tolerance(options.tolerance);
   module.set_passes(detail::passes_of<Planner>(options, target));
@@ -285,7 +300,7 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   report.faces = decimater.report().faces;
   report.vertices = decimater.report().vertices;
   report.record = module.plan().record;
-  detail::count_held(module.flags(), report);
+  detail::count(module.flags(), module.seams(), detail::moves_seams(ready), module.face_origin(), report);
   detail::conclude(target, report);
   const std::vector<int> became = module.vertex_map();
   const Compaction compaction = compact(mesh);
@@ -313,7 +328,8 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   if (!extras.flags.empty() && extras.flags.size() != mesh.points.size())
     throw InvalidParameter("decimate: the extras must have flags for each vertex, or none");
   detail::add_locks(mesh, options, extras.flags);
-  detail::count_held(extras.flags, out);
+  const std::vector<std::uint8_t> flags = extras.flags;
+  const std::vector<std::array<std::uint32_t, 3>> wedges = extras.wedges;
   const auto enough = [&](const auto& stages) {
     return target.is_met(stages.n_faces(), stages.n_vertices());
   };
@@ -333,6 +349,7 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   out.mesh = std::move(executed.mesh);
   out.vertex_map = std::move(executed.vertex_map);
   out.face_origin = std::move(executed.face_origin);
+  detail::count(flags, detail::SeamRecord(mesh, wedges), detail::moves_seams(ready), out.face_origin, out);
   detail::conclude(target, out);
   return out;
 }

@@ -37,13 +37,15 @@ struct PlanOutcome {
 ///
 /// - As the priority module it allows just the planned collapses, in the order of the plan. In binary mode it
 ///   forbids every collapse that is not planned.
-/// - Vertices with status locked or feature, and those on a seam of half-edge texture coordinates, stay.
+/// - Vertices with status locked or feature stay. So do those on a seam of half-edge texture coordinates, unless the
+///   planner merges them along it.
 /// - A survivor that moves takes the normal (of unit length), colour and texture coordinates at the nearest
 ///   point of the mesh as it was at `initialize()`; texture coordinates of half-edges from its own side of a
-///   seam. One that stays keeps its own. Face normals are refreshed. Other properties stay as they are, and
-///   the mesh gets none.
+///   seam, on both sides those at the same place of it. One that stays keeps its own. Face normals are refreshed.
+///   Other properties stay as they are, and the mesh gets none.
 /// - Where another module forbids a part of a cluster, the survivor lies at the centroid of the vertices that
-///   have merged, a place that the flip guard has not judged; see Collapse.
+///   have merged; where it forbids what would have taken a vertex off a seam, that stays on it. The flip guard has not
+///   judged these places; see Collapse.
 /// - OpenMesh's decimaters initialise their modules once. For another pass call `initialize()` of the module
 ///   itself. After a garbage collection the plan is made anew without being asked.
 /// - `set_error_tolerance_factor(f)` multiplies the planner's threshold by f.
@@ -122,6 +124,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     detail::SnapshotT<MeshT> snapshot(mesh);
     SurfaceExtras extras;
     extras.flags = snapshot.flags();
+    extras.wedges = detail::corner_wedges(mesh);
     if (tolerance_.is_valid()) {
       extras.tolerance.assign(mesh.n_vertices(), 1);
       for (const auto v : mesh.vertices())
@@ -159,7 +162,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
 
   float collapse_priority(const CollapseInfo& ci) override {
     const Collapse* collapse = planned(ci);
-    if (!collapse) return float(ModBase::ILLEGAL_COLLAPSE);
+    if (!collapse || !seams_allow(ci.v0v1)) return float(ModBase::ILLEGAL_COLLAPSE);
     return this->is_binary() ? float(ModBase::LEGAL_COLLAPSE) : priority(rank_[collapse->from]);
   }
 
@@ -183,7 +186,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
 
   bool watches_collapses() const override { return mesh_ref().has_face_normals() || !attributes_.empty(); }
   void before_collapse(int halfedge) override {
-    attributes_.before(this->mesh(), typename MeshT::HalfedgeHandle(halfedge));
+    const typename MeshT::HalfedgeHandle h(halfedge);
+    holds_survivor_ = !attributes_.seams().empty() && attributes_.seams().hold(this->mesh(), h);
+    attributes_.before(this->mesh(), h);
   }
   void after_collapse(std::size_t rank) override {
     settle(rank);
@@ -250,11 +255,17 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
  private:
+  using Point = Eigen::Matrix<typename MeshT::Scalar, 3, 1>;
   static constexpr std::uint32_t kNotPlanned = 0xffffffffu;
   static constexpr std::size_t kNoPlan = ~std::size_t{0};
 
   static typename MeshT::VertexHandle vertex(std::uint32_t v) {
     return typename MeshT::VertexHandle(static_cast<int>(v));
+  }
+
+  /// Whether the seams are such by now that they allow a planned collapse: other modules may have forbidden some.
+  bool seams_allow(typename MeshT::HalfedgeHandle h) {
+    return attributes_.seams().empty() || attributes_.seams().allow_planned(this->mesh(), h);
   }
 
   /// Moves the survivor of a collapse that has been executed to its place, with its attributes.
@@ -295,7 +306,6 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     if (last < placed_by) return false;
     placed_by = last;
 
-    using Point = Eigen::Matrix<typename MeshT::Scalar, 3, 1>;
     auto& mesh = this->mesh();
     auto p = mesh.point(v1);
     const Point before(p[0], p[1], p[2]);
@@ -307,9 +317,17 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     }
     const bool is_held = mesh.has_vertex_status() && (mesh.status(v1).locked() || mesh.status(v1).feature());
     if (after == before || is_held) return false;  // it may have been locked since the plan was made
+    if (holds_survivor_ && is_off(v0, before, after)) return false;
     for (std::uint32_t i = 0; i < 3; ++i) p[i] = after[i];
     mesh.set_point(v1, p);
     return true;
+  }
+
+  /// Whether the target of a survivor that a seam holds is elsewhere, by more than the planner's rounding.
+  bool is_off(typename MeshT::VertexHandle from, const Point& before, const Point& after) {
+    constexpr auto kRounding = static_cast<typename MeshT::Scalar>(0.1);  // of the edge
+    const auto& p = this->mesh().point(from);
+    return (after - before).norm() > kRounding * (Point(p[0], p[1], p[2]) - before).norm();
   }
 
   /// How many vertices of a cluster its survivor stands for, itself included; 0 if that is all of them.
@@ -345,6 +363,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   // For each survivor the last rank of the latest cluster that has moved it.
   std::vector<std::uint32_t> placed_by_;
   detail::SurvivorAttributesT<MeshT> attributes_;
+  bool holds_survivor_ = false;  // a seam does, in the collapse that is under way
   std::size_t n_planned_vertices_ = kNoPlan;
 };
 

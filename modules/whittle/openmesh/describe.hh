@@ -2,6 +2,7 @@
 /// What a planner is told of an OpenMesh mesh besides its points and faces.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "whittle/openmesh/components.hh"
+#include "whittle/openmesh/convert.hh"
 #include "whittle/surface/Surface.hh"
 
 namespace whittle::detail {
@@ -29,20 +31,25 @@ bool has_corner_attributes(const Mesh& mesh) {
          mesh.has_halfedge_texcoords3D();
 }
 
+/// Whether two half-edges that point to a vertex have the same texture coordinates.
+template <typename Mesh>
+bool same_corner(const Mesh& mesh, typename Mesh::HalfedgeHandle a, typename Mesh::HalfedgeHandle b) {
+  bool same = true;
+  for_each_corner_kind(mesh, [&](auto get) { same = same && get(a) == get(b); });
+  return same;
+}
+
 /// Whether the faces around a vertex disagree about its texture coordinate. False for a mesh without
 /// half-edge texture coordinates.
 template <typename Mesh>
 bool is_on_seam(const Mesh& mesh, typename Mesh::VertexHandle v) {
-  bool differs = false;
-  for_each_corner_kind(mesh, [&](auto get) {
-    typename Mesh::HalfedgeHandle first;
-    for (auto h = mesh.cvih_iter(v); h.is_valid() && !differs; ++h) {
-      if (mesh.is_boundary(*h)) continue;
-      if (!first.is_valid()) first = *h;
-      differs = get(*h) != get(first);
-    }
-  });
-  return differs;
+  typename Mesh::HalfedgeHandle first;
+  for (auto h = mesh.cvih_iter(v); h.is_valid(); ++h) {
+    if (mesh.is_boundary(*h)) continue;
+    if (!first.is_valid()) first = *h;
+    if (!same_corner(mesh, *h, first)) return true;
+  }
+  return false;
 }
 
 /// Whether the two faces at an edge disagree about the texture coordinate of either of its ends. False at the
@@ -51,34 +58,64 @@ template <typename Mesh>
 bool is_seam(const Mesh& mesh, typename Mesh::HalfedgeHandle h) {
   const auto o = mesh.opposite_halfedge_handle(h);
   if (mesh.is_boundary(h) || mesh.is_boundary(o)) return false;
-  bool differs = false;
-  for_each_corner_kind(mesh, [&](auto get) {
-    differs =
-        differs || get(h) != get(mesh.prev_halfedge_handle(o)) || get(o) != get(mesh.prev_halfedge_handle(h));
-  });
-  return differs;
+  return !same_corner(mesh, h, mesh.prev_halfedge_handle(o)) ||
+         !same_corner(mesh, o, mesh.prev_halfedge_handle(h));
 }
 
-/// What the user has set for each vertex: locked, feature; and whether it is on a seam of half-edge texture
-/// coordinates, the end of one included, where the corners agree.
+/// For each face that is not deleted a number at each of its corners, as `SurfaceExtras::wedges` has them: corners of a
+/// vertex that follow one another around it have the same number if their texture coordinates agree. Empty where those
+/// of every vertex do: no seams.
+/// \throw InvalidMesh  a face is not a triangle.
+template <typename Mesh>
+std::vector<std::array<std::uint32_t, 3>> corner_wedges(const Mesh& mesh) {
+  using HalfedgeHandle = typename Mesh::HalfedgeHandle;
+  if (!has_corner_attributes(mesh)) return {};
+  std::vector<std::uint32_t> number(mesh.n_halfedges());  // of the corner that a half-edge points to
+  const auto number_of = [&](HalfedgeHandle h) -> std::uint32_t& {
+    return number[static_cast<std::size_t>(h.idx())];
+  };
+  std::uint32_t n_numbers = 0;
+  bool has_seams = false;
+  for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
+    HalfedgeHandle first, last;
+    for (auto h = mesh.cvih_iter(typename Mesh::VertexHandle(static_cast<int>(v))); h.is_valid(); ++h) {
+      if (mesh.is_boundary(*h)) continue;
+      if (last.is_valid() && same_corner(mesh, *h, last)) {
+        number_of(*h) = number_of(last);
+      } else if (last.is_valid() && same_corner(mesh, *h, first)) {
+        number_of(*h) = number_of(first);
+      } else {
+        has_seams |= last.is_valid();
+        number_of(*h) = n_numbers++;
+      }
+      if (!first.is_valid()) first = *h;
+      last = *h;
+    }
+  }
+  std::vector<std::array<std::uint32_t, 3>> wedges;
+  if (!has_seams) return wedges;
+  for_each_triangle(mesh, [&](std::size_t f, const auto&) {
+    auto h = mesh.halfedge_handle(typename Mesh::FaceHandle(static_cast<int>(f)));
+    auto& corners = wedges.emplace_back();
+    for (std::uint32_t& corner : corners) {
+      corner = number_of(h);
+      h = mesh.next_halfedge_handle(h);
+    }
+    return true;
+  });
+  return wedges;
+}
+
+/// What the user has set for each vertex: locked, feature.
 template <typename Mesh>
 std::vector<std::uint8_t> user_flags(const Mesh& mesh) {
-  const std::size_t n = mesh.n_vertices();
-  std::vector<std::uint8_t> flags(n, 0);
-  const bool has_status = mesh.has_vertex_status(), has_corners = has_corner_attributes(mesh);
-  if (!has_status && !has_corners) return flags;
-  for (std::size_t i = 0; i < n; ++i) {
-    const typename Mesh::VertexHandle v(static_cast<int>(i));
-    if (has_status) {
-      const auto& status = mesh.status(v);
-      if (status.deleted()) continue;
-      if (status.locked()) flags[i] |= kLocked;
-      if (status.feature()) flags[i] |= kFeature;
-    }
-    if (!has_corners) continue;
-    bool on_seam = is_on_seam(mesh, v);
-    for (auto h = mesh.cvoh_iter(v); h.is_valid() && !on_seam; ++h) on_seam = is_seam(mesh, *h);
-    if (on_seam) flags[i] |= kSeam;
+  std::vector<std::uint8_t> flags(mesh.n_vertices(), 0);
+  if (!mesh.has_vertex_status()) return flags;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    const auto& status = mesh.status(typename Mesh::VertexHandle(static_cast<int>(i)));
+    if (status.deleted()) continue;
+    if (status.locked()) flags[i] |= kLocked;
+    if (status.feature()) flags[i] |= kFeature;
   }
   return flags;
 }

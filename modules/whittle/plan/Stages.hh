@@ -129,6 +129,21 @@ bool has_end(const Planner& planner) {
   return HasEnd<Planner>::of(planner);
 }
 
+template <typename Planner, typename = void>
+struct MovesSeams {
+  static bool by(const Planner&) { return false; }
+};
+template <typename Planner>
+struct MovesSeams<Planner, std::void_t<decltype(std::declval<const Planner&>().moves_seams())>> {
+  static bool by(const Planner& planner) { return planner.moves_seams(); }
+};
+
+/// Whether a planner merges vertices along seams: one that says so by `moves_seams()` does, others hold them.
+template <typename Planner>
+bool moves_seams(const Planner& planner) {
+  return MovesSeams<Planner>::by(planner);
+}
+
 /// Whether a planner goes to a target of its own, as MemorylessQuadric.
 template <typename Planner, typename = void>
 struct takes_target : std::false_type {};

@@ -58,6 +58,9 @@ struct MemorylessQuadric {
   /// progressive mesh wants; `bulk`, `decimate` and Whittle's drivers then ask for a target of their own.
   bool has_end() const { return target_faces > 0 || target_vertices > 0 || max_distance < HUGE_VAL; }
 
+  /// Seams move, where the extras have wedges.
+  bool moves_seams() const { return true; }
+
   /// With the bound times a factor; there is no other threshold.
   MemorylessQuadric scaled(double factor) const {
     MemorylessQuadric planner = *this;

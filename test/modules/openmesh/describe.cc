@@ -1,7 +1,11 @@
 #include "whittle/openmesh/describe.hh"
 
+#include <map>
+#include <set>
+
 #include "OpenMeshFixture.hh"
 #include "whittle/ModMemorylessQuadricT.hh"
+#include "whittle/surface/seams.hh"
 
 using namespace whittle;
 using fixture::Mesh;
@@ -105,18 +109,34 @@ TEST_CASE("half-edge texture coordinates count where mq merges vertices") {
   CHECK(n_on_kink(0) > 0.1);
 }
 
-TEST_CASE("vertices on a seam are held, its end inside the mesh too") {
+TEST_CASE("wedges tell corners apart whose texture coordinates differ, and there are none without seams") {
+  CHECK(detail::corner_wedges(textured(0)).empty());
+  CHECK(detail::corner_wedges(fixture::to_openmesh<Mesh>(meshes::flat_grid(4))).empty());
+  Mesh mesh = textured(10);
+  mesh.request_face_status();
+  mesh.request_edge_status();
+  mesh.request_vertex_status();
+  mesh.delete_face(mesh.face_handle(5), false);
+  const auto wedges = detail::corner_wedges(mesh);
+  const auto triangles = to_indexed(mesh).triangles;
+  REQUIRE(wedges.size() == triangles.size());
+  std::map<std::uint32_t, std::set<std::uint32_t>> at;
+  for (std::size_t f = 0; f < wedges.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) at[triangles[f][k]].insert(wedges[f][k]);
+  for (const auto& [v, numbers] : at) CHECK(numbers.size() == (v % 9 == 4 ? 2 : 1));
+}
+
+TEST_CASE("the end of a slit inside the mesh has one wedge, and is on the seam none the less") {
   Mesh mesh = textured(0);
-  const auto is_end = [&](auto v) { return mesh.point(v)[0] == 4 && mesh.point(v)[1] == 3; };
   for (const auto f : mesh.faces())  // a slit along x = 4 from y = 3 on
     for (const auto h : mesh.fh_range(f)) {
       const auto p = mesh.point(h.to());
       if (p[0] == 4 && p[1] > 3 && mesh.calc_face_centroid(f)[0] < 4) mesh.set_texcoord2D(h, {9, 9});
     }
-  const auto flags = detail::user_flags(mesh);
+  const auto seams = on_seams(to_indexed(mesh).triangles, detail::corner_wedges(mesh), mesh.n_vertices());
   for (const auto v : mesh.vertices()) {
     const auto p = mesh.point(v);
-    CHECK(bool(flags[std::size_t(v.idx())] & kSeam) == (p[0] == 4 && p[1] >= 3));
-    if (is_end(v)) CHECK_FALSE(detail::is_on_seam(mesh, v));
+    CHECK(seams[std::size_t(v.idx())] == (p[0] == 4 && p[1] >= 3));
+    if (p[0] == 4 && p[1] == 3) CHECK_FALSE(detail::is_on_seam(mesh, v));
   }
 }
