@@ -41,6 +41,10 @@ Spec default_module() {
   return parse_spec("mq");
 }
 
+bool moves_seams(const Spec& spec) {
+  return find_module(spec.name).moves_seams || spec.word("seams") == "merge";
+}
+
 bool has_threshold(const Spec& spec) {
   const Module& module = find_module(spec.name);
   return !module.threshold.empty() && module.is_given(spec, module.threshold);

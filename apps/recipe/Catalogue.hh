@@ -70,9 +70,9 @@ struct Module {
   /// The key that sets how far the module goes. Empty: it has no threshold, and goes to the target or until
   /// nothing is left to do.
   std::string threshold = {};
-  bool ends_by_itself = false;   ///< goes a sensible way without threshold, target or bound
-  bool cheapest_first = false;   ///< without a threshold, collapses in the order of the error it causes
-  bool moves_seams = false;      ///< vertices merge along seams of texture; others leave them where they are
+  bool ends_by_itself = false;  ///< goes a sensible way without threshold, target or bound
+  bool cheapest_first = false;  ///< without a threshold, collapses in the order of the error it causes
+  bool moves_seams = false;  ///< vertices merge along seams of texture; others hold them, or do so if asked
   bool plans_to_target = false;  ///< the planner knows the target, and tells nothing before it has planned
   /// The key of a bound on the distance to the input that the planner keeps by itself; empty: none.
   std::string bound = {};
@@ -97,6 +97,9 @@ const Module& find_module(const std::string& name);
 
 /// What runs where a recipe has a target or a bound, and no module.
 Spec default_module();
+
+/// Whether vertices merge along seams of texture: the module does so by itself, or is asked to.
+bool moves_seams(const Spec& spec);
 
 /// Whether the spec says how far to go.
 bool has_threshold(const Spec& spec);

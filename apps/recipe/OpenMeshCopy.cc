@@ -23,6 +23,17 @@ OpenMeshCopy::OpenMeshCopy(const IndexedMesh& in) {
   mesh.update_face_normals();
 }
 
+void OpenMeshCopy::set_wedges(const IndexedMesh& in, const std::vector<IndexedMesh::Triangle>& wedges) {
+  mesh.request_halfedge_texcoords1D();
+  for (const auto f : mesh.faces())
+    for (const auto h : f.halfedges()) {
+      const std::uint32_t old = origin(f);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (in.triangles[old][k] == static_cast<std::uint32_t>(h.to().idx()))
+          mesh.set_texcoord1D(h, wedges[old][k]);
+    }
+}
+
 Decimated OpenMeshCopy::take(const std::vector<std::pair<int, int>>& collapses) const {
   std::vector<std::uint32_t> survivor(mesh.n_vertices());
   std::iota(survivor.begin(), survivor.end(), 0u);

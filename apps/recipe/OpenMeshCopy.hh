@@ -24,6 +24,10 @@ class OpenMeshCopy {
 
   explicit OpenMeshCopy(const IndexedMesh& mesh);
 
+  /// Gives the mesh the numbers of wedges as half-edge texture coordinates, so that its seams are known.
+  /// \param in  that it is a copy of
+  void set_wedges(const IndexedMesh& in, const std::vector<IndexedMesh::Triangle>& wedges);
+
   /// The living vertices and faces in their old order.
   /// \param collapses  those that were carried out, the vertex that went and the one that it went into
   Decimated take(const std::vector<std::pair<int, int>>& collapses) const;

@@ -47,10 +47,9 @@ std::vector<Stage> stages_of(const Recipe& recipe) {
 }
 
 std::uint8_t flags_that_hold(const std::vector<Stage>& stages) {
-  const bool some_move_seams = std::any_of(stages.begin(), stages.end(), [](const Stage& stage) {
-    return find_module(stage.module.name).moves_seams;
-  });
-  return static_cast<std::uint8_t>(kLocked | kFeature | (some_move_seams ? 0 : kSeam));
+  const bool seams_move = std::any_of(stages.begin(), stages.end(),
+                                      [](const Stage& stage) { return moves_seams(stage.module); });
+  return static_cast<std::uint8_t>(kLocked | kFeature | (seams_move ? 0 : kSeam));
 }
 
 }  // namespace whittle::recipe

@@ -27,7 +27,7 @@ struct Stage {
 /// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a stage.
 std::vector<Stage> stages_of(const Recipe& recipe);
 
-/// The flags that keep a vertex in place for all of the stages: kSeam too, where none of them moves seams.
+/// The flags that keep a vertex in place through all of the stages: kSeam too, where none of them moves seams.
 std::uint8_t flags_that_hold(const std::vector<Stage>& stages);
 
 /// A recipe applied to a mesh: what its stages share.

@@ -61,6 +61,11 @@ inline Key guard_key(double fallback) {
   return key;
 }
 
+/// What becomes of small charts where seams move.
+inline Key charts_key() {
+  return choice_key("charts", {"vanish", "keep"}, "keep: no chart of the texture loses its last face");
+}
+
 /// The same key, shown at once, and picked on a histogram if there is one.
 inline Key main_key(Key key, Histogram histogram = Histogram::none) {
   key.is_main = true;

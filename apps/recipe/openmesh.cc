@@ -132,8 +132,10 @@ Decimated drive(const Task& task, const Stage& stage, const IndexedMesh& in, con
                 const CollapsePlan* plan, StageResult& report) {
   const Silence silence;
   OpenMeshCopy copy(in);
-  const bool seams_move = plan && find_module(stage.module.name).moves_seams;
-  hold(extras, seams_move ? kLocked | kFeature : kLocked | kFeature | kSeam, copy.mesh);
+  hold(extras, flags_that_hold({stage}), copy.mesh);
+  // A plan that is alone leaves seams in their places, and is carried out as it is.
+  const bool may_break_seams = moves_seams(stage.module) && (!plan || !stage.constraints.empty());
+  if (may_break_seams && !extras.wedges.empty()) copy.set_wedges(in, extras.wedges);
 
   Decimater decimater(copy.mesh);
   StockDecimater modules(decimater, plan ? StockDecimater::Weights() : add_weights(extras, copy.mesh));

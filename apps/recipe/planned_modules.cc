@@ -240,7 +240,7 @@ Module mq() {
       length_key("texture", "the same of texture coordinates", "0.1 of their mean stretch"),
       degrees_key("feature", "sharper edges keep their line", MemorylessQuadric().feature_angle),
       length_key("max-distance", "how far a vertex of the input may come to lie from the faces", "no bound"),
-      choice_key("charts", {"vanish", "keep"}, "keep: no chart of the texture loses its last face"),
+      charts_key(),
       guard_key(MemorylessQuadric().guard.min_cos),
       passes_key()};
   module.cheapest_first = true;

@@ -9,16 +9,7 @@ IndexedMesh retriangulate(const IndexedMesh& mesh, double max_dihedral, Delaunay
                           std::size_t& refused_faces, std::vector<IndexedMesh::Triangle>& wedges) {
   const Silence silence;
   OpenMeshCopy copy(mesh);
-  if (!wedges.empty()) {
-    copy.mesh.request_halfedge_texcoords1D();
-    for (const auto f : copy.mesh.faces())
-      for (const auto h : f.halfedges()) {
-        const std::uint32_t old = copy.origin(f);
-        for (std::size_t k = 0; k < 3; ++k)
-          if (mesh.triangles[old][k] == static_cast<std::uint32_t>(h.to().idx()))
-            copy.mesh.set_texcoord1D(h, wedges[old][k]);
-      }
-  }
+  if (!wedges.empty()) copy.set_wedges(mesh, wedges);
   DelaunayFlips options;
   options.max_dihedral = max_dihedral;
   report = delaunay_flips(copy.mesh, options);

@@ -24,6 +24,7 @@ void add_quadric(StockDecimater& to, const Spec& spec, const Scale&) {
   if (const auto error = spec.number("max-err")) module.set_max_err(*error, false);
   module.set_boundary_weight(number_of(spec, "boundary-weight"));
   module.set_flip_guard(number_of(spec, "guard"));
+  module.set_keep_charts(spec.word("charts") == "keep");
   module.set_weight(to.weights());
 }
 
@@ -38,7 +39,9 @@ Module quadric() {
   max_err.measure = Measure::square_units;
   Key boundary = number_key("boundary-weight", 0, HUGE_VAL, "weight of the boundary's edges", {0, 100, 10});
   boundary.fallback += ", 0 leaves it free";
-  module.keys = {main_key(std::move(max_err)), std::move(boundary), guard_key(FlipGuard().min_cos)};
+  module.keys = {main_key(std::move(max_err)), std::move(boundary), charts_key(),
+                 guard_key(FlipGuard().min_cos)};
+  module.moves_seams = true;
   module.threshold = "max-err";
   module.cheapest_first = true;
   module.add = add_quadric;

@@ -20,6 +20,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "whittle/openmesh/attributes.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle {
@@ -30,9 +31,16 @@ namespace whittle {
 ///   boundary of a flat mesh free, and eats it: of a flat grid of 59 by 59 quads, taken to 200 faces, 25 % of
 ///   the area is left.
 /// - *A flip guard*: no face may turn too far against its own normal at initialize().
+/// - *Seams* of half-edge texture coordinates (1D, 2D, 3D): vertices on them merge along them only, and a plane through
+///   each seam edge, upright on each face, keeps them from bending. The corners of a vertex that vanishes take the
+///   coordinates that the survivor has on their side. A chart, what seams and the boundary enclose, may vanish.
 /// - *Weights* for each vertex.
 ///
-/// With a boundary weight of 0 and a guard of -1 it is ModQuadricT. It leaves no property behind.
+/// With a boundary weight of 0 and a guard of -1 it is ModQuadricT where there are no seams. It leaves no property
+/// behind. In binary mode it looks at errors and turns only.
+///
+/// Use it under LazyDecimaterT. OpenMesh's DecimaterT judges a vertex anew only where a neighbour has vanished, which in
+/// rare places is not enough to see that a chart that shall stay is down to its last face.
 template <typename MeshT>
 class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -70,6 +78,18 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     min_cos_ = min_cos;
   }
 
+  /// How much more than a face of its length squared a seam edge counts, half on each side. >= 0, default 0.4; 0: not at
+  /// all.
+  /// \throw InvalidParameter
+  void set_seam_weight(double weight) {
+    if (!(weight >= 0 && std::isfinite(weight)))
+      throw InvalidParameter("the weight of seams must not be negative");
+    seam_weight_ = weight;
+  }
+
+  /// Whether each chart keeps a face at least. Default: a chart may vanish, and its neighbours close over it.
+  void set_keep_charts(bool keep) { keeps_charts_ = keep; }
+
   /// For each vertex a factor of its quadric, read at initialize(): 1 is neutral, 2 makes errors there count
   /// twice. Finite, >= 0. An invalid handle takes the weights back.
   void set_weight(OpenMesh::VPropHandleT<float> weight) { weight_ = weight; }
@@ -82,13 +102,15 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
     Quadric sum = quadrics_[index(ci.v0)];
     sum += quadrics_[index(ci.v1)];
     const double error = scale_ == 1 ? sum(ci.p1) : sum(scaled(ci.v1));
-    if (!(error < limit()) || (min_cos_ > -1 && turns_a_face(ci)))
+    if (!(error < limit()) || !keeps_seams(ci.v0v1) || (min_cos_ > -1 && turns_a_face(ci)))
       return static_cast<float>(Base::ILLEGAL_COLLAPSE);
     return static_cast<float>(error);
   }
 
+  void preprocess_collapse(const CollapseInfo& ci) override { attributes_.before(Base::mesh(), ci.v0v1); }
   void postprocess_collapse(const CollapseInfo& ci) override {
     quadrics_[index(ci.v1)] += quadrics_[index(ci.v0)];
+    attributes_.after(Base::mesh(), ci.v0, ci.v1, false);
   }
 
   void set_error_tolerance_factor(double factor) override {
@@ -136,19 +158,26 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   void choose_scale();
   void add_face(typename MeshT::FaceHandle f);
-  void add_boundary(HalfedgeHandle outside);
+  void add_edge(HalfedgeHandle h, double weight);
+  bool keeps_seams(HalfedgeHandle h) const {
+    const auto& seams = attributes_.seams();
+    if (seams.empty()) return true;
+    return seams.allow(mesh_ref(), h) && !(keeps_charts_ && seams.is_at_last_face(mesh_ref(), h));
+  }
   bool turns_a_face(const CollapseInfo& ci);
   /// Whether the face of an outgoing half-edge of v0 stays and turns too far, or loses its area.
   bool turns_face_of(HalfedgeHandle h, const CollapseInfo& ci) const;
 
   static constexpr std::size_t kMany = 64;  // faces, of which a vertex with more is a hub
   double max_err_ = std::numeric_limits<double>::max();
-  double boundary_weight_ = 10, min_cos_ = 0.2;
+  double boundary_weight_ = 10, seam_weight_ = 0.4, min_cos_ = 0.2;
+  bool keeps_charts_ = false;
   OpenMesh::VPropHandleT<float> weight_;
   std::vector<Quadric> quadrics_;  // of each vertex
   std::vector<Vector> normals_;    // of each face at initialize()
   double scale_ = 1, square_ = 1;  // a power of two that coordinates are multiplied by, and its square
   std::unordered_map<int, HalfedgeHandle> turned_;  // of a hub, a half-edge whose face turned too far before
+  detail::SurvivorAttributesT<MeshT> attributes_;
 };
 
 template <typename MeshT>
@@ -162,7 +191,12 @@ void ModGuardedQuadricT<MeshT>::initialize() {
   for (const auto f : mesh.faces()) add_face(f);
   if (boundary_weight_ > 0)
     for (const auto h : mesh.halfedges())
-      if (mesh.is_boundary(h)) add_boundary(h);
+      if (mesh.is_boundary(h)) add_edge(mesh.opposite_halfedge_handle(h), boundary_weight_);
+  attributes_ = {};
+  if (!Base::is_binary()) attributes_.take_snapshot(mesh, detail::Survivors::stay);
+  if (seam_weight_ > 0 && !attributes_.seams().empty())
+    for (const auto h : mesh.halfedges())
+      if (attributes_.seams().is_seam(mesh.edge_handle(h))) add_edge(h, seam_weight_ / 2);
   if (!weight_.is_valid()) return;
   for (const auto v : mesh.vertices()) {
     const float weight = mesh.property(weight_, v);
@@ -208,15 +242,16 @@ void ModGuardedQuadricT<MeshT>::add_face(typename MeshT::FaceHandle f) {
   for (const VertexHandle v : {a, b, c}) quadrics_[index(v)] += quadric;
 }
 
+/// A plane through an edge, upright on the face of a half-edge.
 template <typename MeshT>
-void ModGuardedQuadricT<MeshT>::add_boundary(HalfedgeHandle outside) {
+void ModGuardedQuadricT<MeshT>::add_edge(HalfedgeHandle h, double weight) {
   const MeshT& mesh = mesh_ref();
-  const auto f = mesh.face_handle(mesh.opposite_halfedge_handle(outside));
+  const auto f = mesh.face_handle(h);
   if (!f.is_valid()) return;
-  const VertexHandle a = mesh.from_vertex_handle(outside), b = mesh.to_vertex_handle(outside);
+  const VertexHandle a = mesh.to_vertex_handle(h), b = mesh.from_vertex_handle(h);
   const Vector edge = point(b) - point(a);
   const Quadric quadric =
-      plane(point(a), edge.cross(normals_[index(f)]).normalized(), boundary_weight_ * edge.squaredNorm());
+      plane(point(a), edge.cross(normals_[index(f)]).normalized(), weight * edge.squaredNorm());
   quadrics_[index(a)] += quadric;
   quadrics_[index(b)] += quadric;
 }

@@ -272,14 +272,28 @@ TEST_CASE("a module that moves no seams leaves them where they are") {
   const auto chart =
       meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; });
   const Attributes given{moved_apart(mesh, chart)};
-  for (const std::string first : {"ss:radius=1.2e", "quadric"}) {
-    recipe::Recipe recipe = mq_down_to(60);
-    recipe.modules.insert(recipe.modules.begin(), recipe::parse_spec(first));
-    recipe.modules.pop_back();
-    const auto result = run_with(mesh, recipe, given);
-    CHECK(result.held == 13);
-    for (std::size_t v = 4; v < mesh.points.size(); v += 13)
-      CHECK(result.mesh.points[result.vertex_map[v]] == mesh.points[v]);
+  const auto result = run_with(mesh, mq_down_to(60, "ss:radius=1.2e"), given);
+  CHECK(result.held == 13);
+  for (std::size_t v = 4; v < mesh.points.size(); v += 13)
+    CHECK(result.mesh.points[result.vertex_map[v]] == mesh.points[v]);
+}
+
+TEST_CASE("the quadric merges along seams, and keeps every chart with charts=keep") {
+  const IndexedMesh mesh = hills();
+  const auto chart = meshes::grown_charts(mesh, 30, 2);
+  const Attributes given{moved_apart(mesh, chart)};
+  std::map<std::uint32_t, Eigen::AlignedBox2d> range;
+  for (std::size_t f = 0; f < chart.size(); ++f)
+    for (const std::uint32_t value : given[0].corners[f]) range[chart[f]].extend(uv_at(given[0], value));
+  for (const bool keep : {false, true}) {
+    const auto result = run_with(mesh, mq_down_to(500, keep ? "quadric:charts=keep" : "quadric"), given);
+    CHECK(result.held == 0);
+    CHECK(result.mesh.triangles.size() <= (keep ? 900 : 500));
+    CHECK((result.charts_gone == 0) == keep);
+    const Attribute& out = result.attributes[0];
+    for (std::size_t f = 0; f < out.corners.size(); ++f)
+      for (const std::uint32_t value : out.corners[f])
+        CHECK(range[chart[result.face_origin[f]]].exteriorDistance(uv_at(out, value)) < 1e-4);
   }
 }
 

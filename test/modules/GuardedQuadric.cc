@@ -239,5 +239,70 @@ TEST_CASE(
     for (int i = n; i >= 1; --i) back.push_back(Judge(cone, 0.2).error(0, i) != kIllegal);
     std::reverse(back.begin(), back.end());
     CHECK(forth == back);
+
+TEST_CASE("the guarded quadric carries half-edge texture coordinates over, and none tears") {
+  const IndexedMesh grid = meshes::flat_grid(13);
+  Mesh mesh = fixture::to_openmesh<Mesh>(grid);
+  mesh.request_halfedge_texcoords2D();
+  const auto chart_at = [](float x) { return x > 6 ? 1.0f : 0.0f; };
+  for (const auto f : mesh.faces())
+    for (const auto h : mesh.fh_range(f)) {
+      const auto p = mesh.point(h.to());
+      mesh.set_texcoord2D(h, {p[0] + 100 * chart_at(mesh.calc_face_centroid(f)[0]), p[1]});
+    }
+  mesh.request_vertex_status();
+  mesh.request_edge_status();
+  mesh.request_face_status();
+  LazyDecimaterT<Mesh> decimater(mesh);
+  Guarded::Handle handle;
+  decimater.add(handle);
+  REQUIRE(decimater.initialize());
+  decimater.decimate_to_faces(0, 30);
+  CHECK(decimater.report().faces <= 30);
+  std::size_t on_seam = 0;
+  for (const auto v : mesh.vertices()) on_seam += mesh.point(v)[0] == 6;
+  CHECK(on_seam < 13);
+  CHECK(on_seam >= 2);
+  for (const auto f : mesh.faces())
+    for (const auto h : mesh.fh_range(f)) {
+      const auto p = mesh.point(h.to());
+      const float expected = p[0] + 100 * chart_at(mesh.calc_face_centroid(f)[0]);
+      CHECK(mesh.texcoord2D(h) == Mesh::TexCoord2D(expected, p[1]));  // no vertex moves, so to the bit
+    }
+}
+
+TEST_CASE("the guarded quadric merges along seams only, and lets a chart vanish unless it is to stay") {
+  const IndexedMesh in = meshes::triangle_in_hexagon({-0.5, -0.3, 0}, {0.5, -0.3, 0}, {0, 0.6, 0}, 4);
+  for (const bool keep : {false, true}) {
+    Mesh mesh = fixture::to_openmesh<Mesh>(in);
+    mesh.request_halfedge_texcoords1D();
+    for (const auto h : mesh.fh_range(Mesh::FaceHandle(0))) mesh.set_texcoord1D(h, 1);
+    mesh.request_vertex_status();
+    mesh.request_edge_status();
+    mesh.request_face_status();
+    mesh.request_halfedge_status();
+    Guarded module(mesh);
+    module.set_keep_charts(keep);
+    module.set_flip_guard(-1);
+    module.initialize();
+    const auto is_allowed = [&](int from, int to) {
+      const auto h = mesh.find_halfedge(Mesh::VertexHandle(from), Mesh::VertexHandle(to));
+      return module.collapse_priority(OpenMesh::Decimater::CollapseInfoT<Mesh>(mesh, h)) >= 0;
+    };
+    for (int v = 0; v < 3; ++v) {
+      CHECK(is_allowed(v, (v + 1) % 3) != keep);
+      CHECK(is_allowed((v + 1) % 3, v) != keep);
+    }
+    CHECK_FALSE(is_allowed(0, 3));  // off the seam
+    CHECK(is_allowed(3, 0));        // onto it
+    if (keep) continue;
+    const auto h = mesh.find_halfedge(Mesh::VertexHandle(0), Mesh::VertexHandle(1));
+    OpenMesh::Decimater::CollapseInfoT<Mesh> info(mesh, h);
+    module.preprocess_collapse(info);
+    mesh.collapse(h);
+    module.postprocess_collapse(info);
+    for (const auto v : mesh.vertices()) CHECK_FALSE(detail::is_on_seam(mesh, v));
+    for (const auto f : mesh.faces())
+      for (const auto corner : mesh.fh_range(f)) CHECK(mesh.texcoord1D(corner) == 0);
   }
 }

@@ -15,6 +15,9 @@
 
 namespace whittle::detail {
 
+/// What becomes of the place of a vertex that others merge into.
+enum class Survivors { move, stay };
+
 /// The attributes of a mesh while its vertices merge: a survivor that moves takes the values at the nearest
 /// point of the mesh as it was at `take_snapshot()`, one that stays keeps its own. The texture coordinates of
 /// half-edges are those of the corner's own side of a seam, at the same place of the seam on both sides. Only
@@ -25,11 +28,9 @@ class SurvivorAttributesT {
   using VertexHandle = typename Mesh::VertexHandle;
   using HalfedgeHandle = typename Mesh::HalfedgeHandle;
 
-  /// What merging vertices do.
-  enum class Survivors { move, stay };
-
   /// From now on, the mesh as it is is the input.
-  /// \param mesh  of triangles
+  /// \param mesh       of triangles
+  /// \param survivors  `stay`: none is ever said to have moved
   void take_snapshot(const Mesh& mesh, Survivors survivors = Survivors::move);
 
   /// The seams as collapses leave them.
