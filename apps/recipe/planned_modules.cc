@@ -31,6 +31,14 @@ void read_boundary(const Spec& spec, P& planner) {
   if (spec.word("boundary") == "merge") planner.boundary = Boundary::merge;
 }
 
+Key seams_key() {
+  return choice_key("seams", {"keep", "merge"}, "merge: along seams of texture");
+}
+template <typename P>
+void read_seams(const Spec& spec, P& planner) {
+  if (spec.word("seams") == "merge") planner.seams = Seams::merge;
+}
+
 Key order_key() {
   return choice_key("order", {"index", "error"}, "error: the cheapest merges first");
 }
@@ -49,7 +57,7 @@ void read_triangle_placement(const Spec& spec, P& planner) {
 }
 
 std::vector<Key> common_keys() {
-  return {boundary_key(), guard_key(FlipGuard().min_cos), passes_key()};
+  return {boundary_key(), seams_key(), guard_key(FlipGuard().min_cos), passes_key()};
 }
 
 std::vector<Key> joined(const std::vector<std::vector<Key>>& groups) {
@@ -113,6 +121,7 @@ FaceAngle face_angle(const Spec& spec) {
   if (spec.word("lock") == "strict") planner.lock = FaceAngle::Lock::strict;
   if (spec.word("apex") == "lexicographic") planner.apex = FaceAngle::Apex::lexicographic;
   read_boundary(spec, planner);
+  read_seams(spec, planner);
   read_guard(spec, planner);
   return planner;
 }
@@ -136,6 +145,7 @@ Planner make_vertex_distance(const Spec& spec, const Scale& scale, const TargetC
   read_triangle_placement(spec, planner);
   read_order(spec, planner);
   read_boundary(spec, planner);
+  read_seams(spec, planner);
   read_guard(spec, planner);
   return Planner(planner);
 }
@@ -165,6 +175,7 @@ SphereScan sphere_scan(const Spec& spec, const Scale& scale) {
   if (spec.word("placement") == "quadric") planner.placement = SphereScan::Placement::quadric;
   read_order(spec, planner);
   read_boundary(spec, planner);
+  read_seams(spec, planner);
   read_guard(spec, planner);
   return planner;
 }
@@ -187,6 +198,7 @@ Planner make_vtd(const Spec& spec, const Scale& scale, const TargetCount&) {
   if (spec.word("fold") == "literal") planner.fold = Vtd::Fold::literal;
   read_triangle_placement(spec, planner);
   read_boundary(spec, planner);
+  read_seams(spec, planner);
   read_guard(spec, planner);
   return Planner(planner);
 }

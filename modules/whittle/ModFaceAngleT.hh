@@ -8,7 +8,7 @@
 namespace whittle {
 
 /// Removes vertices whose faces lie nearly in a plane. The parameters are those of FaceAngle: beside those below
-/// `set_boundary` and `set_flip_guard`.
+/// `set_boundary`, `set_seams` and `set_flip_guard`.
 ///
 /// <!-- test: header_face_angle -->
 /// \code

@@ -29,6 +29,10 @@ class ModFassT : public ModPlannedT<MeshT, Fass> {
   void set_boundary(Boundary boundary) {
     this->change([&](Fass& p) { p.face_angle.boundary = p.sphere_scan.boundary = boundary; });
   }
+  /// Of both. Default: vertices on seams stay.
+  void set_seams(Seams seams) {
+    this->change([&](Fass& p) { p.face_angle.seams = p.sphere_scan.seams = seams; });
+  }
   /// Of both. -1..1, default 0.2; -1 turns the flip guard off.
   void set_flip_guard(double min_cos) {
     this->change([&](Fass& p) { p.face_angle.guard.min_cos = p.sphere_scan.guard.min_cos = min_cos; });

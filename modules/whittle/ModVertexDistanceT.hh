@@ -8,7 +8,7 @@
 namespace whittle {
 
 /// Folds short edges and small triangles to a point. The parameters are those of VertexDistance: beside the distance
-/// `set_placement`, `set_order`, `set_boundary` and `set_flip_guard`.
+/// `set_placement`, `set_order`, `set_boundary`, `set_seams` and `set_flip_guard`.
 ///
 /// The survivors move, so stock binary modules judge a collapse as if they did not: ModNormalFlippingT sees
 /// `v1` where it is before. The planner's own flip guard judges the final positions.

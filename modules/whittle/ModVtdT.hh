@@ -8,7 +8,7 @@
 namespace whittle {
 
 /// VT for small triangles, an edge fold for the others. The parameters are those of Vtd: beside the distance
-/// and the fold `set_placement`, `set_boundary` and `set_flip_guard`.
+/// and the fold `set_placement`, `set_boundary`, `set_seams` and `set_flip_guard`.
 template <typename MeshT>
 class ModVtdT : public ModPlannedT<MeshT, Vtd> {
  public:

@@ -278,6 +278,28 @@ TEST_CASE("a module that moves no seams leaves them where they are") {
     CHECK(result.mesh.points[result.vertex_map[v]] == mesh.points[v]);
 }
 
+TEST_CASE("the papers' modules merge along seams with seams=merge, in passes and down to a target") {
+  const IndexedMesh mesh = hills();
+  const auto chart = meshes::grown_charts(mesh, 200, 2);
+  const Attributes given{moved_apart(mesh, chart)};
+  for (const std::string spec : {"fad", "ivdd", "ss", "vtd", "fass"}) {
+    INFO(spec);
+    const auto held = run_with(mesh, mq_down_to(900, spec), given),
+               merged = run_with(mesh, mq_down_to(900, spec + ":seams=merge"), given);
+    CHECK(held.held > 100);
+    CHECK(merged.held == 0);
+    CHECK(merged.charts_gone == 0);
+    CHECK(merged.mesh.triangles.size() < held.mesh.triangles.size() + 200);
+    std::map<std::uint32_t, Eigen::AlignedBox2d> range;
+    for (std::size_t f = 0; f < chart.size(); ++f)
+      for (const std::uint32_t value : given[0].corners[f]) range[chart[f]].extend(uv_at(given[0], value));
+    const Attribute& out = merged.attributes[0];
+    for (std::size_t f = 0; f < out.corners.size(); ++f)
+      for (const std::uint32_t value : out.corners[f])
+        CHECK(range[chart[merged.face_origin[f]]].exteriorDistance(uv_at(out, value)) < 1e-4);
+  }
+}
+
 TEST_CASE("the quadric merges along seams, and keeps every chart with charts=keep") {
   const IndexedMesh mesh = hills();
   const auto chart = meshes::grown_charts(mesh, 30, 2);

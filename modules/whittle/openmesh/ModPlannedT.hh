@@ -97,6 +97,12 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   auto set_boundary(Boundary boundary) -> decltype(std::declval<P&>().boundary, void()) {
     change([&](P& p) { p.boundary = boundary; });
   }
+  /// Whether vertices on seams of half-edge texture coordinates may merge along them. Default: they stay. mq, which has
+  /// no such setter, always merges them.
+  template <typename P = Planner>
+  void set_seams(decltype(std::declval<P&>().seams) seams) {
+    change([&](P& p) { p.seams = seams; });
+  }
   /// In which order merges are looked at. Default: by index, as in the papers.
   template <typename P = Planner>
   void set_order(decltype(std::declval<P&>().order) order) {

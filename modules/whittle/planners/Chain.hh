@@ -19,6 +19,11 @@ struct Chain {
     std::apply([](const auto&... planner) { (planner.validate(), ...); }, planners);
   }
 
+  /// Whether one of them does.
+  bool moves_seams() const {
+    return std::apply([](const auto&... planner) { return (detail::moves_seams(planner) || ...); }, planners);
+  }
+
   /// Every planner with its threshold multiplied by `factor`, in [0, 1].
   Chain scaled(double factor) const {
     return {

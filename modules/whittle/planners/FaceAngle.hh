@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -53,10 +54,15 @@ struct FaceAngle {
   /// With `merge`, a boundary vertex goes, too, if moreover the boundary turns there by at most the
   /// threshold; the fan then starts at one of its neighbours along the boundary.
   Boundary boundary = Boundary::keep;
+  /// With `merge`, a vertex on a seam goes, too, if moreover the seam turns there by at most the threshold; the fan then
+  /// starts at one of its neighbours along the seam.
+  Seams seams = Seams::keep;
   FlipGuard guard;
 
   /// \throw InvalidParameter  a value outside the range given above.
   void validate() const;
+
+  bool moves_seams() const { return seams == Seams::merge; }
 
   /// The planner with its threshold multiplied by `factor`, in [0, 1].
   FaceAngle scaled(double factor) const {
@@ -74,6 +80,8 @@ struct FaceAngle {
   struct Umbrella {
     std::uint32_t vertex;
     bool is_closed;
+    /// Where in the ring the line goes on that the vertex is on, the boundary or a seam; both 0 where it is on none.
+    std::array<std::size_t, 2> line;
     Eigen::Vector3d center;
     std::vector<Eigen::Vector3d> spokes;  ///< from the centre to the ring
     std::vector<Eigen::Vector3d> normals;
@@ -81,6 +89,7 @@ struct FaceAngle {
 
     template <typename Real>
     void open(const SurfaceT<Real>& surface, std::uint32_t v);
+    bool is_on_line() const { return line[0] != line[1]; }
     double worst_triangle(std::size_t from) const;
     /// Whether every two normals are sure to be within an angle, as all are within half of it of their mean.
     bool lies_within(double min_cos) const;
@@ -121,6 +130,12 @@ void FaceAngle::Umbrella::open(const SurfaceT<Real>& surface, std::uint32_t v) {
   squared_areas.clear();
   for (const std::uint32_t w : ring) spokes.push_back(surface.point(w) - center);
   const std::size_t n = spokes.size();
+  line = {0, is_closed ? 0 : n - 1};
+  if (surface.is_on_seam(v)) {
+    const auto ends = surface.seams().neighbours(v);
+    for (std::size_t i = 0; i < 2; ++i)
+      line[i] = static_cast<std::size_t>(std::find(ring.begin(), ring.end(), ends[i]) - ring.begin());
+  }
   for (std::size_t i = 0; i < ring.n_faces(); ++i) {
     normals.push_back(spokes[i].cross(spokes[i + 1 < n ? i + 1 : 0]));
     squared_areas.push_back(normals.back().squaredNorm());
@@ -158,7 +173,9 @@ inline bool FaceAngle::is_flat(const Umbrella& umbrella, double min_cos) const {
     within += is_within(n - 1, 0);
     ++angles;
   }
-  if (!is_closed && (-spokes.front()).normalized().dot(spokes.back().normalized()) < min_cos) return false;
+  if (umbrella.is_on_line() &&
+      (-spokes[umbrella.line[0]]).normalized().dot(spokes[umbrella.line[1]].normalized()) < min_cos)
+    return false;
   return is_every ? within == angles : within >= static_cast<std::size_t>(count);
 }
 
@@ -202,9 +219,9 @@ void FaceAngle::order_apexes(const SurfaceT<Real>& surface, const Umbrella& umbr
   const auto rate = [&](std::size_t i) {
     apexes.emplace_back(apex == Apex::delaunay ? umbrella.worst_triangle(i) : 0, ring[i]);
   };
-  if (!umbrella.is_closed) {  // only the ends have a fan
-    rate(0);
-    rate(n - 1);
+  if (umbrella.is_on_line()) {  // the fan starts where the line goes on
+    rate(umbrella.line[0]);
+    rate(umbrella.line[1]);
   } else if (apex == Apex::delaunay && n > kMostApexes) {  // to rate all of them takes a time in n squared
     for (std::size_t i = 0; i < kMostApexes; ++i) rate(i * n / kMostApexes);
   } else {
@@ -229,7 +246,7 @@ CollapsePlan FaceAngle::plan(const SurfaceT<Real>& surface) const {
   const double min_cos = cosine(max_normal_angle);
 
   for (std::uint32_t v = 0; v < surface.n_vertices(); ++v) {
-    if (kept[v] || !surface.is_free(v, boundary)) continue;
+    if (kept[v] || !surface.is_free(v, boundary, seams)) continue;
     const Ring ring = surface.ring(v);
     if (lock == Lock::strict && std::any_of(ring.begin(), ring.end(), is_kept)) continue;
     umbrella.open(surface, v);
@@ -237,6 +254,12 @@ CollapsePlan FaceAngle::plan(const SurfaceT<Real>& surface) const {
     if (!is_flat(umbrella, tolerance == 1 ? min_cos : cosine(max_normal_angle * tolerance))) continue;
 
     order_apexes(surface, umbrella, apexes);
+    if (surface.is_on_seam(v))
+      apexes.erase(
+          std::remove_if(apexes.begin(), apexes.end(),
+                         [&](const RatedApex& a) { return !surface.seams().may_remove(v, a.second); }),
+          apexes.end());
+    if (apexes.empty()) continue;
     Verdict verdict = Verdict::refused_by_link, first_verdict = verdict;
     for (std::size_t i = 0; i < apexes.size() && verdict != Verdict::accepted; ++i) {
       const std::uint32_t to = apexes[i].second;

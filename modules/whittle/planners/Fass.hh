@@ -21,6 +21,8 @@ struct Fass {
     sphere_scan.validate();
   }
 
+  bool moves_seams() const { return face_angle.moves_seams() || sphere_scan.moves_seams(); }
+
   /// Both planners with their thresholds multiplied by `factor`, in [0, 1].
   Fass scaled(double factor) const { return {face_angle.scaled(factor), sphere_scan.scaled(factor)}; }
 

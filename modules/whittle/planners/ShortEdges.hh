@@ -26,12 +26,12 @@ struct ShortEdges {
   /// \param taken         vertices that merge no more in this pass.
   template <typename Real>
   ShortEdges(const SurfaceT<Real>& surface, std::uint32_t face, double max_distance, Boundary boundary,
-             const std::vector<std::uint8_t>& taken) {
+             Seams seams, const std::vector<std::uint8_t>& taken) {
     const auto& t = surface.triangle(face);
     double least = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-      if (taken[a] || taken[b] || !surface.may_merge(a, b, boundary)) continue;
+      if (taken[a] || taken[b] || !surface.may_merge(a, b, boundary, seams)) continue;
       const double squared_length = (surface.point(b) - surface.point(a)).squaredNorm();
       const double limit = max_distance * std::min(surface.tolerance(a), surface.tolerance(b));
       if (!(squared_length < limit * limit)) continue;

@@ -36,10 +36,14 @@ struct SphereScan {
   ScanOrder order = ScanOrder::index;
   /// `merge`: boundary vertices merge with their neighbours on the boundary.
   Boundary boundary = Boundary::keep;
+  /// `merge`: a vertex on a seam merges with the nearer of its neighbours along the seam.
+  Seams seams = Seams::keep;
   FlipGuard guard;
 
   /// \throw InvalidParameter  a value outside the range given above.
   void validate() const;
+
+  bool moves_seams() const { return seams == Seams::merge; }
 
   /// The planner with its threshold multiplied by `factor`, in [0, 1].
   SphereScan scaled(double factor) const {
@@ -80,7 +84,7 @@ Eigen::Vector3d SphereScan::place(const SurfaceT<Real>& surface, const std::vect
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   for (const std::uint32_t v : members) center += surface.point(v) / static_cast<double>(members.size());
   if (members.size() == 3) center = detail::enclosing_center(at(0), at(1), at(2));
-  if (placement == Placement::paper) return center;
+  if (placement == Placement::paper || surface.is_on_seam(members[0])) return center;
 
   return detail::PlaneQuadric(surface, members, center, hubs).best(*radius / 2);
 }
@@ -89,13 +93,13 @@ template <typename Real>
 void SphereScan::collect(const SurfaceT<Real>& surface, std::uint32_t v,
                          const std::vector<std::uint8_t>& merged, Cluster& cluster) const {
   cluster.members.clear();
-  if (merged[v] || !surface.is_free(v, boundary)) return;
+  if (merged[v] || !surface.is_free(v, boundary, seams)) return;
   cluster.members.push_back(v);
   double least = HUGE_VAL;
   const Ring ring = surface.ring(v);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::uint32_t w = ring[i];
-    if (merged[w] || !surface.may_merge(v, w, boundary)) continue;
+    if (merged[w] || !surface.may_merge(v, w, boundary, seams)) continue;
     if (surface.is_boundary(v) && i > 0 && i + 1 < ring.size()) continue;  // not along the boundary
     const double reach = *radius * std::min(surface.tolerance(v), surface.tolerance(w));
     const double distance = (surface.point(w) - surface.point(v)).squaredNorm();
@@ -106,6 +110,7 @@ void SphereScan::collect(const SurfaceT<Real>& surface, std::uint32_t v,
       cluster.nearest = w;
     }
   }
+  if (surface.is_on_seam(v) && cluster.members.size() > 2) cluster.members = {v, cluster.nearest};
 }
 
 template <typename Real>

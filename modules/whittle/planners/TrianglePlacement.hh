@@ -35,13 +35,14 @@ Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint3
   return PlaneQuadric(surface, t, center, hubs).best(radius);
 }
 
-/// Where the ends of an edge merge. On the boundary always its middle, which keeps straight boundaries straight.
+/// Where the ends of an edge merge. On the boundary and on seams always its middle, which keeps straight ones straight.
 template <typename Real>
 Eigen::Vector3d place(const SurfaceT<Real>& surface, const std::array<std::uint32_t, 2>& edge,
                       TrianglePlacement placement, HubPlanes& hubs) {
   const Eigen::Vector3d a = surface.point(edge[0]), b = surface.point(edge[1]);
   Eigen::Vector3d middle = (a + b) / 2;
-  if (placement != TrianglePlacement::quadric || surface.is_boundary(edge[0])) return middle;
+  const bool on_line = surface.is_boundary(edge[0]) || surface.is_on_seam(edge[0]);
+  if (placement != TrianglePlacement::quadric || on_line) return middle;
   return PlaneQuadric(surface, edge, middle, hubs).best((b - a).norm() / 2);
 }
 

@@ -29,10 +29,13 @@ struct VertexDistance {
   Placement placement = Placement::enclosing;
   ScanOrder order = ScanOrder::index;
   Boundary boundary = Boundary::keep;  ///< `merge`: boundary edges fold to their midpoint
+  Seams seams = Seams::keep;           ///< `merge`: seam edges fold to their midpoint
   FlipGuard guard;
 
   /// \throw InvalidParameter  a value outside the range given above.
   void validate() const;
+
+  bool moves_seams() const { return seams == Seams::merge; }
 
   /// The planner with its threshold multiplied by `factor`, in [0, 1].
   VertexDistance scaled(double factor) const {
@@ -65,10 +68,11 @@ CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
   const auto is_triangle = [&](const detail::ShortEdges& edges, std::uint32_t f) {
-    return edges.count >= 2 && !surface.is_boundary(surface.triangle(f)[0]);
+    const std::uint32_t v = surface.triangle(f)[0];  // all three are on a line, or none
+    return edges.count >= 2 && !surface.is_boundary(v) && !surface.is_on_seam(v);
   };
   const auto cost = [&](std::uint32_t f) {
-    const detail::ShortEdges edges(surface, f, *max_distance, boundary, folded);
+    const detail::ShortEdges edges(surface, f, *max_distance, boundary, seams, folded);
     if (edges.count == 0) return HUGE_VAL;
     const auto error = [&](const auto& members) {
       const Eigen::Vector3d target = detail::place(surface, members, placement, hubs);
@@ -77,7 +81,7 @@ CollapsePlan VertexDistance::plan(const SurfaceT<Real>& surface) const {
     return is_triangle(edges, f) ? error(surface.triangle(f)) : error(edges.ends(surface.triangle(f)));
   };
   detail::scan(surface.n_faces(), order, cost, [&](std::uint32_t f) {
-    const detail::ShortEdges edges(surface, f, *max_distance, boundary, folded);
+    const detail::ShortEdges edges(surface, f, *max_distance, boundary, seams, folded);
     if (edges.count == 0) return;
     const auto& t = surface.triangle(f);
     const bool triangle = is_triangle(edges, f);

@@ -31,10 +31,13 @@ struct Vtd {
   using Placement = TrianglePlacement;
   Placement placement = Placement::enclosing;
   Boundary boundary = Boundary::keep;  ///< `merge`: boundary edges fold to their midpoint
+  Seams seams = Seams::keep;           ///< `merge`: seam edges fold to their midpoint
   FlipGuard guard;
 
   /// \throw InvalidParameter  a value outside the range given above.
   void validate() const;
+
+  bool moves_seams() const { return seams == Seams::merge; }
 
   /// The planner with its threshold multiplied by `factor`, in [0, 1].
   Vtd scaled(double factor) const {
@@ -85,13 +88,13 @@ CollapsePlan Vtd::plan(const SurfaceT<Real>& surface) const {
   using Verdict = typename PlanDraftT<Real>::Verdict;
 
   for (std::uint32_t f = 0; f < surface.n_faces(); ++f) {
-    const detail::ShortEdges edges(surface, f, *max_distance, boundary, merged);
+    const detail::ShortEdges edges(surface, f, *max_distance, boundary, seams, merged);
     if (edges.count == 0) continue;
 
     const auto& t = surface.triangle(f);
     Verdict triangle = Verdict::accepted;
     std::size_t edge = 0;
-    if (edges.count == 3 && !surface.is_boundary(t[0])) {
+    if (edges.count == 3 && !surface.is_boundary(t[0]) && !surface.is_on_seam(t[0])) {
       triangle = draft.merge(t, detail::place(surface, t, placement, hubs));
       if (triangle == Verdict::accepted) {
         merged[t[0]] = merged[t[1]] = merged[t[2]] = true;
@@ -102,7 +105,7 @@ CollapsePlan Vtd::plan(const SurfaceT<Real>& surface) const {
       edge = choose(surface, f, edges);
     }
     const std::uint32_t a = t[edge], b = t[(edge + 1) % 3];
-    if (merged[a] || merged[b] || !surface.may_merge(a, b, boundary))
+    if (merged[a] || merged[b] || !surface.may_merge(a, b, boundary, seams))
       continue;  // literal: the edge is not short itself
     const std::array<std::uint32_t, 2> ends{a, b};
     const Verdict verdict = draft.merge(ends, detail::place(surface, ends, placement, hubs));

@@ -13,6 +13,7 @@
 
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Rings.hh"
+#include "whittle/surface/SeamGraph.hh"
 #include "whittle/surface/errors.hh"
 #include "whittle/surface/seams.hh"
 #include "whittle/surface/threads.hh"
@@ -33,6 +34,12 @@ enum VertexFlag : std::uint8_t {
 enum class Boundary {
   keep,  ///< they stay
   merge  ///< they may merge with one another along the boundary, never with inner vertices
+};
+
+/// What a planner does with vertices on seams that nothing else holds. mq always merges them.
+enum class Seams {
+  keep,  ///< they stay
+  merge  ///< those through which a seam passes may merge with one another along it, never with others; no chart vanishes
 };
 
 /// The length, in model units, that a difference of 1 counts as beside the shape; 0: differences do not
@@ -66,7 +73,7 @@ struct SurfaceExtras {
   /// For each face a number at each of its corners: corners of one vertex have the same number if they have
   /// the same texture coordinates, or whatever else is not to be torn. An edge of two faces is a *seam* if
   /// their numbers differ at either of its ends. mq moves vertices along seams; for other planners they have
-  /// kSeam. Empty: no seams.
+  /// kSeam, and merge along seams if asked. Empty: no seams.
   std::vector<std::array<std::uint32_t, 3>> wedges = {};
 };
 
@@ -174,20 +181,27 @@ class SurfaceT {
   }
 
   std::uint8_t flags(std::uint32_t v) const { return extras_.flags[v]; }
-  bool is_free(std::uint32_t v, Boundary boundary = Boundary::keep) const {
-    return flags(v) == 0 || (boundary == Boundary::merge && flags(v) == kBoundary);
+  bool is_free(std::uint32_t v, Boundary boundary = Boundary::keep, Seams seams = Seams::keep) const {
+    return flags(v) == 0 || (boundary == Boundary::merge && flags(v) == kBoundary) ||
+           (seams == Seams::merge && flags(v) == kSeam && seams_.is_passed(v));
   }
-  /// Whether two vertices may merge; boundary ones only along the boundary, which the link condition ensures.
-  bool may_merge(std::uint32_t a, std::uint32_t b, Boundary boundary) const {
-    return is_free(a, boundary) && is_free(b, boundary) && is_boundary(a) == is_boundary(b);
+  /// Whether two vertices may merge; boundary ones only along the boundary, which the link condition ensures, and
+  /// those on seams only along a seam edge.
+  bool may_merge(std::uint32_t a, std::uint32_t b, Boundary boundary, Seams seams = Seams::keep) const {
+    return is_free(a, boundary, seams) && is_free(b, boundary, seams) && is_boundary(a) == is_boundary(b) &&
+           is_on_seam(a) == is_on_seam(b) && (!is_on_seam(a) || seams_.may_remove(a, b));
   }
   bool is_boundary(std::uint32_t v) const { return (flags(v) & kBoundary) != 0; }
+  bool is_on_seam(std::uint32_t v) const { return (flags(v) & kSeam) != 0; }
+  /// How the seams run; empty where the extras have no wedges.
+  const detail::SeamGraph& seams() const { return seams_; }
   bool is_complex(std::uint32_t v) const { return (flags(v) & kComplex) != 0; }
 
  private:
   const IndexedMeshT<Real>& mesh_;
   SurfaceExtras extras_;
   detail::Rings rings_;
+  detail::SeamGraph seams_;
 };
 
 template <typename Real>
@@ -213,6 +227,7 @@ SurfaceT<Real>::SurfaceT(const IndexedMeshT<Real>& mesh, SurfaceExtras extras, s
   const std::vector<bool> seams = on_seams(mesh.triangles, extras_.wedges, n_vertices());
   for (std::uint32_t v = 0; v < n_vertices(); ++v)
     if (seams[v]) extras_.flags[v] |= kSeam;
+  seams_ = detail::SeamGraph(mesh.triangles, extras_.wedges, n_vertices());
 }
 
 }  // namespace whittle

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -11,7 +12,12 @@
 #include "charts.hh"
 #include "measure/MeshFacts.hh"
 #include "whittle/LazyDecimaterT.hh"
+#include "whittle/ModFaceAngleT.hh"
+#include "whittle/ModFassT.hh"
 #include "whittle/ModMemorylessQuadricT.hh"
+#include "whittle/ModSphereScanT.hh"
+#include "whittle/ModVertexDistanceT.hh"
+#include "whittle/ModVtdT.hh"
 #include "whittle/SweepDecimaterT.hh"
 #include "whittle/decimate.hh"
 
@@ -63,21 +69,28 @@ void check_linear(const SeamMesh& mesh, double tolerance) {
       CHECK((mesh.texcoord2D(h) - apart(chart_of(mesh, f), mesh.point(h.to()))).norm() < tolerance);
 }
 
-template <template <typename> class D, typename Prepare>
-SeamMesh run_mq(SeamMesh mesh, std::size_t faces, Prepare prepare) {
+/// Runs a module, set up by `setup`, in a decimater of type D with whatever `prepare` adds to it.
+template <template <typename> class D, template <typename> class Module, typename Setup, typename Prepare>
+SeamMesh run_seams(SeamMesh mesh, Setup setup, Prepare prepare) {
   mesh.request_vertex_status();
   mesh.request_edge_status();
   mesh.request_halfedge_status();
   mesh.request_face_status();
   D<SeamMesh> decimater(mesh);
-  ModMemorylessQuadricT<SeamMesh>::Handle mq;
-  decimater.add(mq);
-  decimater.module(mq).set_target_faces(faces);
+  typename Module<SeamMesh>::Handle handle;
+  decimater.add(handle);
+  setup(decimater.module(handle));
   prepare(decimater);
   REQUIRE(decimater.initialize());
   decimater.decimate();
   compact(mesh);
   return mesh;
+}
+
+template <template <typename> class D, typename Prepare>
+SeamMesh run_mq(const SeamMesh& mesh, std::size_t faces, Prepare prepare) {
+  return run_seams<D, ModMemorylessQuadricT>(
+      mesh, [&](auto& mq) { mq.set_target_faces(faces); }, prepare);
 }
 
 void check_same(const SeamMesh& a, const SeamMesh& b) {
@@ -88,6 +101,31 @@ void check_same(const SeamMesh& a, const SeamMesh& b) {
     CHECK(a.to_vertex_handle(h) == b.to_vertex_handle(h));
     if (!h.is_boundary()) CHECK(a.texcoord2D(h) == b.texcoord2D(h));
   }
+}
+
+/// Every module of the papers that merges along seams, on edges of about length 1; `look` takes the name and the mesh.
+template <template <typename> class D, typename Look>
+void with_merging_modules(const SeamMesh& mesh, double unit, Look look) {
+  const auto nothing_else = [](auto&) {};
+  const auto merging = [](auto set_threshold) {
+    return [set_threshold](auto& module) {
+      set_threshold(module);
+      module.set_seams(Seams::merge);
+    };
+  };
+  look("FAD", run_seams<D, ModFaceAngleT>(mesh, merging([](auto& m) {
+                                            m.set_max_normal_angle(60);
+                                            m.set_passes(3);
+                                          }),
+                                          nothing_else));
+  look("IVDD", run_seams<D, ModVertexDistanceT>(
+                   mesh, merging([&](auto& m) { m.set_max_distance(1.2 * unit); }), nothing_else));
+  look("SS",
+       run_seams<D, ModSphereScanT>(mesh, merging([&](auto& m) { m.set_radius(1.2 * unit); }), nothing_else));
+  look("VTD",
+       run_seams<D, ModVtdT>(mesh, merging([&](auto& m) { m.set_max_distance(1.6 * unit); }), nothing_else));
+  look("FASS",
+       run_seams<D, ModFassT>(mesh, merging([&](auto& m) { m.set_radius(1.5 * unit); }), nothing_else));
 }
 
 IndexedMesh hilly() {
@@ -285,5 +323,56 @@ TEST_CASE("seams stay in their places where another module forbids a part of the
     check(run_mq<SweepDecimaterT>(mesh, 600, forbid_long));
     check(run_mq<LazyDecimaterT>(mesh, 600, forbid_long));
     check(run_mq<OpenMesh::Decimater::DecimaterT>(mesh, 600, forbid_long));
+  }
+}
+
+TEST_CASE(
+    "the papers' modules merge along a straight seam when asked, and both sides keep their coordinates") {
+  const IndexedMesh grid = meshes::flat_grid(13);
+  const SeamMesh mesh = textured_charts(grid, halves(grid, 6), apart);
+  with_merging_modules<SweepDecimaterT>(mesh, 1, [](const char* name, const SeamMesh& out) {
+    INFO(name);
+    std::size_t on_seam = 0;
+    for (const auto v : out.vertices()) {
+      if (!detail::is_on_seam(out, v)) continue;
+      ++on_seam;
+      CHECK(out.point(v)[0] == 6);
+    }
+    CHECK(on_seam < 13);
+    CHECK(on_seam >= 3);
+    check_linear(out, 1e-9);
+  });
+}
+
+TEST_CASE("the papers' modules merge along seams of any shape, and no chart vanishes") {
+  const IndexedMesh in = meshes::shaken(meshes::torus(48, 24), 0.004, 1);
+  for (const std::size_t size : {3u, 20u, 120u}) {
+    const auto chart = meshes::grown_charts(in, size, 4);
+    const std::size_t n_charts = 1 + *std::max_element(chart.begin(), chart.end());
+    const SeamMesh mesh = textured_charts(in, chart, apart);
+    const auto on_seams = [](const SeamMesh& m) {
+      std::size_t n = 0;
+      for (const auto v : m.vertices()) n += detail::is_on_seam(m, v);
+      return n;
+    };
+    std::vector<SeamMesh> by_sweep;
+    with_merging_modules<SweepDecimaterT>(mesh, 0.1, [&](const char* name, const SeamMesh& out) {
+      INFO(name << ", charts of " << size);
+      by_sweep.push_back(out);
+      if (size > 3) CHECK(on_seams(out) < on_seams(mesh));
+      CHECK(measure::facts(to_indexed(out)).closed());
+      CHECK(measure::facts(to_indexed(out)).euler_characteristic == 0);
+      std::set<std::uint32_t> left;
+      for (const auto f : out.faces()) left.insert(chart_of(out, f));
+      CHECK(left.size() == n_charts);
+      for (const auto e : out.edges())
+        CHECK(detail::is_seam(out, e.h0()) == (chart_of(out, e.h0().face()) != chart_of(out, e.h1().face())));
+    });
+    std::size_t i = 0;
+    with_merging_modules<LazyDecimaterT>(
+        mesh, 0.1, [&](const char*, const SeamMesh& out) { check_same(out, by_sweep[i++]); });
+    i = 0;
+    with_merging_modules<OpenMesh::Decimater::DecimaterT>(
+        mesh, 0.1, [&](const char*, const SeamMesh& out) { check_same(out, by_sweep[i++]); });
   }
 }
