@@ -8,7 +8,8 @@
 namespace whittle {
 
 /// Merges what a moving sphere covers. The parameters are those of SphereScan: beside the radius `set_placement`,
-/// `set_order`, `set_boundary`, `set_seams` and `set_flip_guard`. `set_passes(kUntilRest)` goes on until nothing changes.
+/// `set_order`, `set_boundary`, `set_seams` and `set_flip_guard`. `set_passes(kUntilRest)` goes on until nothing
+/// changes.
 template <typename MeshT>
 class ModSphereScanT : public ModPlannedT<MeshT, SphereScan> {
  public:

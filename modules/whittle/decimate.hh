@@ -199,15 +199,12 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
     options_ = &options;
     this->set_enough(target.faces, target.vertices);
   }
-  const std::vector<std::uint8_t>& flags() const { return flags_; }
-  const SeamRecord& seams() const { return seams_; }
-
-  /// For each face of the mesh that is left, which of those of the plan's input it was.
-  std::vector<std::uint32_t> face_origin() {
-    std::vector<std::uint32_t> origin;
+  /// Fills in what the mesh held, and which charts have no face left.
+  void count(bool seams_move, DecimateReport& report) {
+    std::vector<std::uint32_t> left;
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (!this->mesh().status(faces_[i]).deleted()) origin.push_back(static_cast<std::uint32_t>(i));
-    return origin;
+      if (!this->mesh().status(faces_[i]).deleted()) left.push_back(static_cast<std::uint32_t>(i));
+    detail::count(flags_, seams_, seams_move, left, report);
   }
 
  protected:
@@ -300,7 +297,7 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   report.faces = decimater.report().faces;
   report.vertices = decimater.report().vertices;
   report.record = module.plan().record;
-  detail::count(module.flags(), module.seams(), detail::moves_seams(ready), module.face_origin(), report);
+  module.count(detail::moves_seams(ready), report);
   detail::conclude(target, report);
   const std::vector<int> became = module.vertex_map();
   const Compaction compaction = compact(mesh);

@@ -54,8 +54,8 @@ struct FaceAngle {
   /// With `merge`, a boundary vertex goes, too, if moreover the boundary turns there by at most the
   /// threshold; the fan then starts at one of its neighbours along the boundary.
   Boundary boundary = Boundary::keep;
-  /// With `merge`, a vertex on a seam goes, too, if moreover the seam turns there by at most the threshold; the fan then
-  /// starts at one of its neighbours along the seam.
+  /// With `merge`, a vertex on a seam goes, too, if moreover the seam turns there by at most the threshold; the fan
+  /// then starts at one of its neighbours along the seam.
   Seams seams = Seams::keep;
   FlipGuard guard;
 

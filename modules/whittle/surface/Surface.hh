@@ -39,7 +39,7 @@ enum class Boundary {
 /// What a planner does with vertices on seams that nothing else holds. mq always merges them.
 enum class Seams {
   keep,  ///< they stay
-  merge  ///< those through which a seam passes may merge with one another along it, never with others; no chart vanishes
+  merge  ///< those that a seam passes through may merge with one another along it, never with others; charts stay
 };
 
 /// The length, in model units, that a difference of 1 counts as beside the shape; 0: differences do not
