@@ -15,8 +15,8 @@
 namespace whittle::detail {
 
 /// The seam edges at each vertex, and along which of them vertices may merge two at a time so that the seams keep
-/// their shape: ends, crossings and the boundary stay, and a seam around a chart keeps three edges at least, so that the
-/// chart keeps a face, however many pairs merge in a pass.
+/// their shape: ends, crossings and the boundary stay, and a seam around a chart keeps three edges at least, so that
+/// the chart keeps a face, however many pairs merge in a pass.
 class SeamGraph {
  public:
   SeamGraph() = default;
@@ -74,8 +74,8 @@ inline SeamGraph::SeamGraph(const std::vector<std::array<std::uint32_t, 3>>& tri
   edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
 }
 
-/// With u the vertex on the other side of v, the seam u-v-w becomes u-w. If there was a seam edge u-w, it would fold onto
-/// that, and if there was u-x-w, another merge of the same pass might.
+/// With u the vertex on the other side of v, the seam u-v-w becomes u-w. If there was a seam edge u-w, it would fold
+/// onto that, and if there was u-x-w, another merge of the same pass might.
 inline bool SeamGraph::may_remove(std::uint32_t v, std::uint32_t w) const {
   if (!is_passed(v) || !has(v, w)) return false;
   const auto at_v = first(v);
