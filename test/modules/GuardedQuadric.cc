@@ -239,6 +239,8 @@ TEST_CASE(
     for (int i = n; i >= 1; --i) back.push_back(Judge(cone, 0.2).error(0, i) != kIllegal);
     std::reverse(back.begin(), back.end());
     CHECK(forth == back);
+  }
+}
 
 TEST_CASE("the guarded quadric carries half-edge texture coordinates over, and none tears") {
   const IndexedMesh grid = meshes::flat_grid(13);
