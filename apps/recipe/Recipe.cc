@@ -222,7 +222,7 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor
   Task task = make_task(mesh, recipe, monitor, givens);
   const TargetCount target = task.target;
   const std::size_t held = count_held(task);
-  const PieceChoice pieces = choose_pieces(recipe, task);
+  const detail::PieceChoice pieces = choose_pieces(recipe, task);
   std::optional<double> bound;
   if (recipe.max_distance) bound = recipe.max_distance->in(task.scale);
   Result result = bound ? run_bounded(task, *bound) : run_stages(task);

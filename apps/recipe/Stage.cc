@@ -47,8 +47,8 @@ std::vector<Stage> stages_of(const Recipe& recipe) {
 }
 
 std::uint8_t flags_that_hold(const std::vector<Stage>& stages) {
-  const bool seams_move = std::any_of(stages.begin(), stages.end(),
-                                      [](const Stage& stage) { return moves_seams(stage.module); });
+  const bool seams_move =
+      std::any_of(stages.begin(), stages.end(), [](const Stage& stage) { return moves_seams(stage.module); });
   return static_cast<std::uint8_t>(kLocked | kFeature | (seams_move ? 0 : kSeam));
 }
 

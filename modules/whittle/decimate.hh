@@ -2,247 +2,27 @@
 /// The one call that simplifies a mesh: an OpenMesh mesh in place, with all that it carries, or plain arrays.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
-#include <optional>
-#include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "whittle/SweepDecimaterT.hh"
 #include "whittle/compact.hh"
-#include "whittle/openmesh/ModPlannedT.hh"
-#include "whittle/openmesh/RunReport.hh"
+#include "whittle/openmesh/DecimateOptions.hh"
+#include "whittle/openmesh/ModDecimateT.hh"
 #include "whittle/openmesh/StatusesT.hh"
 #include "whittle/openmesh/convert.hh"
-#include "whittle/openmesh/describe.hh"
 #include "whittle/plan/SeamRecord.hh"
 #include "whittle/plan/TargetCount.hh"
 #include "whittle/plan/execute.hh"
-#include "whittle/plan/locks.hh"
 #include "whittle/plan/plan_mesh.hh"
 #include "whittle/planners/MemorylessQuadric.hh"
+#include "whittle/planners/PieceChoice.hh"
 
 namespace whittle {
-
-/// What `decimate` is told besides the mesh. Set one of `ratio`, `faces` and `vertices`, or `max_distance`, or both; a
-/// planner with a threshold needs none of them.
-struct DecimateOptions {
-  std::optional<double> ratio;          ///< of the faces that stay, in (0, 1]
-  std::optional<std::size_t> faces;     ///< at most so many stay
-  std::optional<std::size_t> vertices;  ///< at most so many stay, isolated ones included
-
-  /// No vertex of the input lies farther than this from the faces that it is left with, nor these, at their middles and
-  /// corners, from the input; a vertex's tolerance is a factor. Model units, >= 0; HUGE_VAL, the default: no bound. Only
-  /// MemorylessQuadric keeps a bound.
-  double max_distance = HUGE_VAL;
-
-  /// Boundary vertices stay. Otherwise they may merge along the boundary, if the planner's parameters allow it;
-  /// MemorylessQuadric always does.
-  bool lock_boundary = false;
-  /// Both ends of an edge stay if the normals of its faces differ by more. Degrees, 0..180; 180: none.
-  double lock_feature_angle = 180;
-  /// Vertices with OpenMesh's status *selected* stay, as locked and feature ones always do.
-  bool lock_selected = false;
-
-  /// Each chart, what the boundary and seams of half-edge texture coordinates, or of wedges, enclose, keeps a face at
-  /// least. Otherwise a chart may vanish, and its neighbours close over it.
-  bool keep_charts = false;
-
-  /// For each vertex a factor of `max_distance` and of the planner's threshold: 0 keeps the vertex, 1 is neutral.
-  /// >= 0. An invalid handle: none.
-  OpenMesh::VPropHandleT<float> tolerance = OpenMesh::VPropHandleT<float>();
-  /// For each vertex how much its error counts: 1 is neutral, 4 as much as a tolerance of 1/2. > 0.
-  OpenMesh::VPropHandleT<float> weight = OpenMesh::VPropHandleT<float>();
-  /// Lets differences of normals, colours and texture coordinates count beside the shape, as lengths. Only
-  /// MemorylessQuadric looks at them.
-  ValueWeights values;
-
-  std::size_t passes = 0;   ///< how often the planner runs at most; 0: once, or as often as the target needs
-  std::size_t threads = 0;  ///< 0: as many as the machine runs at once; the result is the same for any number
-};
-
-/// What came of it.
-struct DecimateReport {
-  std::size_t faces_before = 0, vertices_before = 0;  ///< without elements that were deleted already
-  std::size_t faces = 0, vertices = 0;                ///< left
-  bool target_reached = true;                         ///< true where none was given
-  std::string why;  ///< why the target was not reached, in one line; else empty
-  /// Vertices of the input that are locked, features, selected or on a locked boundary.
-  std::size_t held = 0;
-  std::size_t seams = 0;        ///< vertices of the input that stay as they lie on seams, which do not move
-  std::size_t charts = 0;       ///< of the input, what its seams enclose; 0 where it has no seams
-  std::size_t charts_gone = 0;  ///< of these, how many have no face left
-  PlanRecord record;            ///< merges planned, and refused by flip guard, link condition and bound
-  /// For each vertex of the input, by its index there, the vertex of the result that it became; kNoVertex if none.
-  std::vector<std::uint32_t> vertex_map;
-  static constexpr std::uint32_t kNoVertex = 0xffffffffu;
-};
-
-/// The same of plain arrays, with the result.
-template <typename Real>
-struct DecimatedT : DecimateReport {
-  IndexedMeshT<Real> mesh;                 ///< vertices and faces in their old order
-  std::vector<std::uint32_t> face_origin;  ///< for each face of the result the face of the input that it was
-};
-
-namespace detail {
-
-/// \throw InvalidParameter
-inline TargetCount make_target(const DecimateOptions& options, std::size_t n_faces) {
-  if (options.ratio.has_value() + options.faces.has_value() + options.vertices.has_value() > 1)
-    throw InvalidParameter("decimate: only one of ratio, faces and vertices can be the target");
-  if (options.ratio && !(*options.ratio > 0 && *options.ratio <= 1))
-    throw InvalidParameter("decimate: the ratio is " + std::to_string(*options.ratio) +
-                           "; it must be above 0 and at most 1, as 0.1 for a tenth of the faces");
-  if (options.faces == 0u || options.vertices == 0u)
-    throw InvalidParameter("decimate: a target of 0 faces or vertices would leave nothing; the least is 1");
-  if (!(options.lock_feature_angle >= 0 && options.lock_feature_angle <= 180))
-    throw InvalidParameter("decimate: the feature angle must be in 0..180 degrees");
-  TargetCount target;
-  if (options.ratio)
-    target.faces =
-        std::max<std::size_t>(1, static_cast<std::size_t>(*options.ratio * static_cast<double>(n_faces)));
-  if (options.faces) target.faces = *options.faces;
-  if (options.vertices) target.vertices = *options.vertices;
-  return target;
-}
-
-/// The planner with what the options say of it.
-/// \throw InvalidParameter, NotReady
-template <typename Planner>
-Planner with_options(Planner planner, const DecimateOptions& options, const TargetCount& target) {
-  if (!(options.max_distance >= 0))
-    throw InvalidParameter("decimate: max_distance must be a length of at least 0");
-  options.values.validate();
-  if constexpr (takes_target<Planner>::value) {
-    if (target.any()) {
-      planner.target_faces = target.faces;
-      planner.target_vertices = target.vertices;
-    }
-    planner.max_distance = std::min(planner.max_distance, options.max_distance);
-    planner.keep_charts = planner.keep_charts || options.keep_charts;
-  } else {
-    if (options.max_distance < HUGE_VAL)
-      throw InvalidParameter(
-          "decimate: only MemorylessQuadric keeps max_distance; leave the bound or the planner out");
-    if (options.values.any())
-      throw InvalidParameter(
-          "decimate: only MemorylessQuadric looks at values; leave them or the planner out");
-  }
-  planner.validate();
-  if (!has_end(planner))
-    throw NotReady("decimate: nothing says where to stop: set ratio, faces, vertices or max_distance");
-  return planner;
-}
-
-template <typename Planner>
-std::size_t passes_of(const DecimateOptions& options, const TargetCount& target) {
-  if (options.passes > 0) return options.passes;
-  return target.any() && !takes_target<Planner>::value ? kPassesToTarget : 1;
-}
-
-/// Adds the locks that the shape decides.
-template <typename Real>
-void add_locks(const IndexedMeshT<Real>& mesh, const DecimateOptions& options,
-               std::vector<std::uint8_t>& flags) {
-  flags.resize(mesh.points.size(), 0);
-  if (!options.lock_boundary && options.lock_feature_angle >= 180) return;
-  const SurfaceT<Real> surface(mesh, {}, options.threads);
-  if (options.lock_boundary) lock_boundary(surface, flags);
-  if (options.lock_feature_angle < 180) lock_features(surface, options.lock_feature_angle, flags);
-}
-
-/// Counts the vertices that the planner leaves where they are, and the charts that are gone.
-/// \param flags        of the user, for each vertex
-/// \param face_origin  for each face that is left, the face that it was
-inline void count(const std::vector<std::uint8_t>& flags, const SeamRecord& seams, bool seams_move,
-                  const std::vector<std::uint32_t>& face_origin, DecimateReport& report) {
-  const bool all_move = seams_move && !seams.empty();
-  for (std::size_t v = 0; v < flags.size(); ++v) {
-    const bool is_held = (flags[v] & (kLocked | kFeature)) != 0;
-    report.held += is_held;
-    report.seams += !is_held && !all_move && ((flags[v] & kSeam) != 0 || seams.has(v));
-  }
-  if (seams.empty()) return;
-  report.charts = seams.charts.count;
-  report.charts_gone = count_vanished(seams.charts, face_origin);
-}
-
-/// Fills in whether the target was reached, and why not.
-inline void conclude(const TargetCount& target, DecimateReport& report) {
-  report.target_reached = !target.any() || target.is_met(report.faces, report.vertices);
-  if (report.target_reached) return;
-  Reasons reasons;
-  reasons.add(report.held, " vertices are locked or features");
-  reasons.add(report.seams, " vertices lie on seams");
-  reasons.add(report.record);
-  report.why = reasons.or_else("no further merge is legal, or within the planner's threshold");
-}
-
-/// The module that `decimate` adds to its sweep.
-template <typename MeshT, typename Planner>
-class ModDecimateT : public ModPlannedT<MeshT, Planner> {
- public:
-  using Handle = OpenMesh::Decimater::ModHandleT<ModDecimateT>;
-  DECIMATER_MODNAME(Decimate)
-
-  explicit ModDecimateT(MeshT& mesh) : ModPlannedT<MeshT, Planner>(mesh) {}
-
-  void set_options(const DecimateOptions& options, const TargetCount& target) {
-    options_ = &options;
-    this->set_enough(target.faces, target.vertices);
-  }
-  /// Fills in what the mesh held, and which charts have no face left.
-  void count(bool seams_move, DecimateReport& report) {
-    std::vector<std::uint32_t> left;
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (!this->mesh().status(faces_[i]).deleted()) left.push_back(static_cast<std::uint32_t>(i));
-    detail::count(flags_, seams_, seams_move, left, report);
-  }
-
- protected:
-  void describe(const MeshT& mesh, const IndexedMeshT<typename MeshT::Scalar>& indexed,
-                SurfaceExtras& extras) override {
-    add_locks(indexed, *options_, extras.flags);
-    if (options_->lock_selected)
-      for (const auto v : mesh.vertices())  // without deleted ones
-        if (mesh.status(v).selected()) extras.flags[static_cast<std::size_t>(v.idx())] |= kLocked;
-    if (options_->weight.is_valid()) add_weights(mesh, extras.tolerance);
-    add_values(mesh, options_->values, extras);
-    flags_ = extras.flags;
-    seams_ = SeamRecord(indexed, extras.wedges);
-    faces_.clear();
-    if (seams_.charts.count > 0)
-      for (const auto f : mesh.faces()) faces_.push_back(f);  // without deleted ones
-  }
-
- private:
-  /// A threshold that is f times as large lets an error count 1 / f^2 as much.
-  void add_weights(const MeshT& mesh, std::vector<float>& tolerance) const {
-    tolerance.resize(mesh.n_vertices(), 1);
-    for (const auto v : mesh.vertices()) {  // without deleted ones
-      const float weight = mesh.property(options_->weight, v);
-      if (!(weight > 0 && weight <= std::numeric_limits<float>::max()))
-        throw InvalidParameter("vertex " + std::to_string(v.idx()) +
-                               " has a weight that is not positive and finite");
-      tolerance[static_cast<std::size_t>(v.idx())] /= std::sqrt(weight);
-    }
-  }
-
-  const DecimateOptions* options_ = nullptr;
-  std::vector<std::uint8_t> flags_;
-  SeamRecord seams_;
-  std::vector<typename MeshT::FaceHandle> faces_;  // of the input, if it has seams
-};
-
-}  // namespace detail
 
 /// Simplifies an OpenMesh triangle mesh in place and compacts it.
 ///
@@ -290,13 +70,14 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   module.set_threads(options.threads);
   decimater.initialize();
   if (target.any())
-    decimater.decimate_to_faces(target.vertices, target.faces);
+    decimater.decimate_to_faces(module.target().vertices, module.target().faces);
   else
     decimater.decimate();
 
   report.faces = decimater.report().faces;
   report.vertices = decimater.report().vertices;
   report.record = module.plan().record;
+  module.remove_pieces(report);
   module.count(detail::moves_seams(ready), report);
   detail::conclude(target, report);
   const std::vector<int> became = module.vertex_map();
@@ -305,6 +86,40 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
     report.vertex_map.push_back(static_cast<std::uint32_t>(compaction.vertices[static_cast<std::size_t>(v)]));
   return report;
 }
+
+namespace detail {
+
+/// Removes the pieces that vanish as a whole from the result for a mesh.
+template <typename Real>
+void remove_pieces(const PieceChoice& choice, const IndexedMeshT<Real>& mesh, DecimatedT<Real>& out) {
+  out.attainable = choice.attainable;
+  out.pieces_gone = choice.n_gone();
+  if (choice.goes.empty()) return;
+  std::vector<std::uint32_t> number(out.mesh.points.size(), 0);  // of each vertex of the result, afterwards
+  for (std::size_t v = 0; v < out.vertex_map.size(); ++v)
+    if (choice.has_gone(v)) number[out.vertex_map[v]] = DecimateReport::kNoVertex;
+  std::uint32_t n_vertices = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == DecimateReport::kNoVertex) continue;
+    out.mesh.points[n_vertices] = out.mesh.points[v];
+    number[v] = n_vertices++;
+  }
+  out.mesh.points.resize(n_vertices);
+  for (std::uint32_t& v : out.vertex_map) v = number[v];
+  std::size_t n_faces = 0;
+  for (std::size_t f = 0; f < out.mesh.triangles.size(); ++f) {
+    if (choice.has_gone(mesh.triangles[out.face_origin[f]][0])) continue;
+    const auto& t = out.mesh.triangles[f];
+    out.mesh.triangles[n_faces] = {number[t[0]], number[t[1]], number[t[2]]};
+    out.face_origin[n_faces++] = out.face_origin[f];
+  }
+  out.mesh.triangles.resize(n_faces);
+  out.face_origin.resize(n_faces);
+  out.faces = n_faces;
+  out.vertices = n_vertices;
+}
+
+}  // namespace detail
 
 /// Simplifies points and triangles.
 /// \param extras  locks and tolerances of the vertices, values, wedges; those of the options are for OpenMesh meshes.
@@ -327,17 +142,19 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   detail::add_locks(mesh, options, extras.flags);
   const std::vector<std::uint8_t> flags = extras.flags;
   const std::vector<std::array<std::uint32_t, 3>> wedges = extras.wedges;
-  const auto enough = [&](const auto& stages) {
-    return target.is_met(stages.n_faces(), stages.n_vertices());
-  };
+  extras = detail::checked(mesh, std::move(extras));
+  const detail::SeamRecord seams(mesh, wedges);
+  const detail::PieceChoice pieces = detail::choose_pieces(ready, mesh, extras, seams, options, target);
+  const TargetCount way = pieces.target_with_pieces();
+  const auto enough = [&](const auto& stages) { return way.is_met(stages.n_faces(), stages.n_vertices()); };
   const CollapsePlan plan =
-      detail::plan_mesh(ready, mesh, std::move(extras), detail::passes_of<Planner>(options, target),
-                        options.threads, enough)
+      detail::plan_mesh(detail::with_target(ready, way), mesh, std::move(extras),
+                        detail::passes_of<Planner>(options, target), options.threads, enough)
           .plan;
   std::size_t n = 0;
   out.faces = out.faces_before;
   out.vertices = out.vertices_before;
-  while (n < plan.collapses.size() && !target.is_met(out.faces, out.vertices)) {
+  while (n < plan.collapses.size() && !way.is_met(out.faces, out.vertices)) {
     out.faces -= plan.collapses[n++].faces;
     --out.vertices;
   }
@@ -346,7 +163,8 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   out.mesh = std::move(executed.mesh);
   out.vertex_map = std::move(executed.vertex_map);
   out.face_origin = std::move(executed.face_origin);
-  detail::count(flags, detail::SeamRecord(mesh, wedges), detail::moves_seams(ready), out.face_origin, out);
+  detail::remove_pieces(pieces, mesh, out);
+  detail::count(flags, seams, detail::moves_seams(ready), out.face_origin, out);
   detail::conclude(target, out);
   return out;
 }

@@ -111,6 +111,9 @@ TEST_CASE("decimate locks the boundary, features, and what is selected, locked o
     CHECK(mesh.n_vertices() == 4);  // a flat square with a straight boundary
     mesh = grid(9);
     options.lock_boundary = true;
+    CHECK(decimate(mesh, options).faces == 34);  // 32 held ones, and 2 % of the rest
+    mesh = grid(9);
+    options.force = true;
     const DecimateReport report = decimate(mesh, options);
     CHECK(report.held == 32);
     CHECK_FALSE(report.target_reached);
@@ -296,4 +299,70 @@ TEST_CASE("decimate takes a mesh without faces, and one with deleted elements") 
   const auto plain = decimated(false), odd = decimated(true);
   CHECK(plain.points == odd.points);
   CHECK(plain.triangles == odd.triangles);
+}
+
+namespace {
+
+/// A torus of 672 faces, and twenty small octahedra of 8.
+Mesh dusty() {
+  std::vector<IndexedMesh> parts = {meshes::shaken(meshes::torus(24, 14), 0.01, 5)};
+  for (int i = 0; i < 20; ++i) parts.push_back(meshes::placed(meshes::octahedron(), 0.01, {2.0 + i, 0, 2}));
+  return fixture::to_openmesh<Mesh>(meshes::together(parts));
+}
+
+}  // namespace
+
+TEST_CASE("decimate lets go of small pieces when asked, and else leaves the rest its share") {
+  const auto run = [](const DecimateOptions& options, bool with_deleted = false) {
+    Mesh mesh = dusty();
+    if (with_deleted) {  // a vertex of a kind that no longer counts
+      mesh.request_vertex_status();
+      mesh.delete_vertex(mesh.add_vertex({9, 9, 9}));
+    }
+    const DecimatedT<float> arrays = decimate(to_indexed(dusty()), options);
+    const DecimateReport report = decimate(mesh, options);
+    CHECK(meshes::canonical(to_indexed(mesh)) == meshes::canonical(arrays.mesh));
+    CHECK(report.faces == mesh.n_faces());
+    CHECK(report.vertices == mesh.n_vertices());
+    CHECK(arrays.mesh.triangles.size() == report.faces);
+    CHECK(arrays.mesh.points.size() == report.vertices);
+    CHECK(arrays.why == report.why);
+    CHECK(arrays.pieces_gone == report.pieces_gone);
+    if (!with_deleted) CHECK(arrays.vertex_map == report.vertex_map);
+    CHECK(arrays.face_origin.size() == report.faces);
+    return report;
+  };
+  DecimateOptions options = to_ratio(0.1);  // 83 faces, and the octahedra hold 80
+  const DecimateReport kept = run(options);
+  CHECK_FALSE(kept.target_reached);
+  CHECK(kept.attainable.is_higher);
+  CHECK(kept.attainable.target.faces == 80 + 76);
+  CHECK(kept.faces > 150);
+  CHECK(kept.faces <= 156);
+  CHECK_THAT(kept.why, Catch::Matchers::Contains("20 small pieces keep four faces each"));
+
+  options.force = true;
+  CHECK(run(options).faces < 100);
+  options.force = false;
+  options.pieces.by_error = true;
+  const DecimateReport gone = run(options);
+  CHECK(gone.target_reached);
+  CHECK(gone.pieces_gone == 20);
+  CHECK(gone.faces > 78);
+  for (std::size_t v = 0; v < gone.vertex_map.size(); ++v)
+    CHECK((gone.vertex_map[v] == DecimateReport::kNoVertex) == (v >= 336));
+  run(options, true);
+
+  options = {};
+  options.vertices = 40;
+  options.pieces.below = 0.1;
+  CHECK(run(options).vertices == 40);
+  CHECK(run(options, true).vertices == 40);
+  options.pieces.below = -1;
+  Mesh mesh = dusty();
+  CHECK_THROWS_AS(decimate(mesh, options), InvalidParameter);
+  options = {};
+  options.max_distance = 0.1;
+  options.pieces.by_error = true;
+  CHECK_THROWS_AS(decimate(mesh, options), InvalidParameter);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "whittle/surface/IndexedMesh.hh"
+#include "whittle/surface/Surface.hh"
 #include "whittle/surface/charts.hh"
 #include "whittle/surface/seams.hh"
 
@@ -33,6 +34,11 @@ struct SeamRecord {
 
   bool empty() const { return on_seam.empty(); }
   bool has(std::size_t v) const { return !empty() && on_seam[v]; }
+  /// Adds kSeam to the flags of the vertices on seams. \pre there are flags for every vertex
+  void add_flags(std::vector<std::uint8_t>& flags) const {
+    for (std::size_t v = 0; v < on_seam.size(); ++v)
+      if (on_seam[v]) flags[v] |= kSeam;
+  }
 };
 
 }  // namespace whittle::detail

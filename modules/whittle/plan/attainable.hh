@@ -91,7 +91,7 @@ Attainable attainable(const IndexedMeshT<Real>& mesh, const Pieces& pieces, cons
     const std::uint32_t piece = pieces.of_vertex[v];
     if ((flags[v] & holds) == 0 || piece == Pieces::kNone || !counts(piece)) continue;
     if (open.empty()) open = detail::on_boundary(mesh);
-    least[piece] += open[v] ? 1 : 2;
+    least[piece] += open[v] ? 1u : 2u;
     ++out.held;
   }
   for (std::size_t p = 0; p < least.size(); ++p) {
