@@ -201,17 +201,17 @@ TEST_CASE("the guarded quadric leaves a face that has an area, however thin") {
 }
 
 TEST_CASE("the guarded quadric decimates alike at any size that coordinates can have") {
-  using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
+  using Doubles = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
   const IndexedMesh torus = meshes::shaken(meshes::torus(16, 12), 0.01, 1);
   const auto left_at = [&](int exponent) {
     IndexedMesh in = torus;
     for (auto& p : in.points) p = p.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
-    auto mesh = fixture::to_openmesh<DoubleMesh>(in);
+    auto mesh = fixture::to_openmesh<Doubles>(in);
     mesh.request_vertex_status();
     mesh.request_edge_status();
     mesh.request_face_status();
-    LazyDecimaterT<DoubleMesh> decimater(mesh);
-    ModGuardedQuadricT<DoubleMesh>::Handle handle;
+    LazyDecimaterT<Doubles> decimater(mesh);
+    ModGuardedQuadricT<Doubles>::Handle handle;
     decimater.add(handle);
     decimater.initialize();
     decimater.decimate_to_faces(0, 100);
