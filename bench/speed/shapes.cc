@@ -3,13 +3,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <random>
 #include <utility>
 
 #include "measure/Distance.hh"
 #include "recipe/Recipe.hh"
 #include "recipe/Spec.hh"
+#include "text/format.hh"
 #include "whittle/surface/constants.hh"
 
 namespace whittle::speed {
@@ -140,12 +140,6 @@ double seconds(const IndexedMesh& mesh, const Work& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-std::string number(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
 }  // namespace
 
 std::vector<Shape> shapes(std::size_t n_faces) {
@@ -170,13 +164,13 @@ std::string shapes_page(const std::optional<std::regex>& only, terminal::Progres
       if (only && !std::regex_search(line, *only)) continue;
       progress.say(line);
       const double first = seconds(small[i].mesh, work);
-      page += "| " + line + " | " + number(1000 * first, 1) + " | ";
+      page += "| " + line + " | " + text::format("%.1f", 1000 * first) + " | ";
       if (first > kTooLong) {
         page += "left out | |\n";
         continue;
       }
       const double second = seconds(large[i].mesh, work);
-      page += number(1000 * second, 1) + " | " + number(second / first, 1) + " |\n";
+      page += text::format("%.1f", 1000 * second) + " | " + text::format("%.1f", second / first) + " |\n";
     }
   return page;
 }

@@ -60,19 +60,19 @@ IndexedMesh soup(Bytes& bytes) {
   return mesh;
 }
 
-enum class Seams { none, around_each_face, around_some_faces, anywhere };
+enum class SeamsOfSoup { none, around_each_face, around_some_faces, anywhere };
 
 /// Texture coordinates at the corners, with seams.
-attributes::Attributes textured(const IndexedMesh& mesh, Seams seams) {
-  if (seams == Seams::none || mesh.triangles.empty()) return {};
+attributes::Attributes textured(const IndexedMesh& mesh, SeamsOfSoup seams) {
+  if (seams == SeamsOfSoup::none || mesh.triangles.empty()) return {};
   attributes::Attribute out{attributes::Kind::texture, "", 2, false, false, {}, {}};
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     auto& corners = out.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& p = mesh.points[mesh.triangles[f][k]];
-      const std::size_t chart = seams == Seams::around_each_face    ? f
-                                : seams == Seams::around_some_faces ? f / 7
-                                                                    : (5 * f + 3 * k) % 7 / 6;
+      const std::size_t chart = seams == SeamsOfSoup::around_each_face    ? f
+                                : seams == SeamsOfSoup::around_some_faces ? f / 7
+                                                                          : (5 * f + 3 * k) % 7 / 6;
       corners[k] = static_cast<std::uint32_t>(out.n_values());
       out.values.push_back(static_cast<float>(p.x() + 10 * static_cast<double>(chart)));
       out.values.push_back(static_cast<float>(p.y()));
@@ -118,7 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const IndexedMesh mesh = soup(bytes);
 
   const corpus::Counted before(mesh), taken(corpus::as_openmesh_takes_it(mesh));
-  const attributes::Attributes texture = textured(mesh, static_cast<Seams>(choice / 64));
+  const attributes::Attributes texture = textured(mesh, static_cast<SeamsOfSoup>(choice / 64));
   recipe::Givens givens;
   givens.attributes = &texture;
   const recipe::Result result = recipe::run(mesh, recipe, {}, givens);

@@ -123,8 +123,8 @@ TEST_CASE("where locked vertices hold too much, the others keep their share of t
 }
 
 TEST_CASE("a rule for pieces is a word or a length") {
-  CHECK(parse_pieces("keep").what == PieceRule::What::keep);
-  CHECK(parse_pieces("by-error").what == PieceRule::What::by_error);
+  CHECK(parse_pieces("keep").what == recipe::PieceRule::What::keep);
+  CHECK(parse_pieces("by-error").what == recipe::PieceRule::What::by_error);
   CHECK(parse_pieces("1.5%").text() == "1.5%");
   CHECK(parse_pieces("keep").text() == "keep");
   CHECK(parse_pieces("by-error").text() == "by-error");

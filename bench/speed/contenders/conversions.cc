@@ -24,7 +24,7 @@ class WholeModel : public Contender {
   OpenMeshMesh mesh_;
 };
 
-Entry entry(const char* method, const WholeModel::Step& step) {
+Entry conversion(const char* method, const WholeModel::Step& step) {
   Entry e;
   e.method = method;
   e.in_place = true;
@@ -35,14 +35,14 @@ Entry entry(const char* method, const WholeModel::Step& step) {
 }  // namespace
 
 std::vector<Entry> conversion_entries() {
-  return {
-      entry("copy of the arrays", [](const Subject& s, Arrays& arrays, OpenMeshMesh&) { arrays = s.arrays; }),
-      entry("copy of the OpenMesh mesh",
-            [](const Subject& s, Arrays&, OpenMeshMesh& mesh) { mesh = s.mesh; }),
-      entry("arrays to OpenMesh",
-            [](const Subject& s, Arrays&, OpenMeshMesh& mesh) { build(s.arrays, mesh); }),
-      entry("OpenMesh to arrays",
-            [](const Subject& s, Arrays& arrays, OpenMeshMesh&) { arrays = to_indexed(s.mesh); })};
+  return {conversion("copy of the arrays",
+                     [](const Subject& s, Arrays& arrays, OpenMeshMesh&) { arrays = s.arrays; }),
+          conversion("copy of the OpenMesh mesh",
+                     [](const Subject& s, Arrays&, OpenMeshMesh& mesh) { mesh = s.mesh; }),
+          conversion("arrays to OpenMesh",
+                     [](const Subject& s, Arrays&, OpenMeshMesh& mesh) { build(s.arrays, mesh); }),
+          conversion("OpenMesh to arrays",
+                     [](const Subject& s, Arrays& arrays, OpenMeshMesh&) { arrays = to_indexed(s.mesh); })};
 }
 
 }  // namespace whittle::speed

@@ -159,13 +159,13 @@ bool HalfedgeCollapseT<Mesh>::rings_meet_at_hub(VertexHandle v0, VertexHandle v1
 }
 
 template <typename Mesh>
-auto HalfedgeCollapseT<Mesh>::find_from_either(VertexHandle a, VertexHandle b) const -> HalfedgeHandle {
-  const HalfedgeHandle start_a = mesh_.halfedge_handle(a), start_b = mesh_.halfedge_handle(b);
+auto HalfedgeCollapseT<Mesh>::find_from_either(VertexHandle from, VertexHandle to) const -> HalfedgeHandle {
+  const HalfedgeHandle start_a = mesh_.halfedge_handle(from), start_b = mesh_.halfedge_handle(to);
   HalfedgeHandle h = start_a, o = start_b;
   if (!h.is_valid() || !o.is_valid()) return HalfedgeHandle();
   do {
-    if (mesh_.to_vertex_handle(h) == b) return h;
-    if (mesh_.to_vertex_handle(o) == a) return opposite(o);
+    if (mesh_.to_vertex_handle(h) == to) return h;
+    if (mesh_.to_vertex_handle(o) == from) return opposite(o);
     h = rotated(h);
     o = rotated(o);
   } while (h != start_a && o != start_b);
