@@ -107,8 +107,7 @@ TEST_CASE("write_mesh says what a format does not hold") {
   const auto report = [&](const char* file) { return write_mesh(folder / file, square(), {}, all); };
   CHECK(report("a.stl").left_out == Names{"normals", "colours", "texture coordinates", "property 'quality'"});
   CHECK(report("a.obj").left_out == Names{"a second set of texture coordinates", "property 'quality'"});
-  CHECK(report("a.off").left_out ==
-        Names{"a second set of texture coordinates", "property 'quality'"});
+  CHECK(report("a.off").left_out == Names{"a second set of texture coordinates", "property 'quality'"});
   CHECK(report("a.om").left_out == Names{"a second set of texture coordinates", "opacity"});
   CHECK(report("a.om").reduced == Names{"colours rounded to 8 bits"});
   CHECK(report("a.om").notes() ==
