@@ -11,7 +11,7 @@ std::vector<std::string> reasons(const Recipe& recipe, const Result& result) {
     why.push_back("what cannot vanish has at least " + std::to_string(result.attainable.minimum) +
                   " faces, and the rest was left its share of the target");
   if (result.attainable.is_higher && result.attainable.small > 0)
-    why.push_back(std::to_string(result.attainable.small) + " small pieces keep four faces each");
+    why.push_back(std::to_string(result.attainable.small) + " small pieces keep up to four faces each");
   PlanRecord record;
   for (const StageResult& stage : result.stages) record += stage.record;
   for (const Stage& stage : stages_of(recipe))
