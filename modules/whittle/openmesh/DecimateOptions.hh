@@ -214,7 +214,8 @@ inline void conclude(const TargetCount& target, DecimateReport& report) {
     reasons.add(
         report.attainable.minimum,
         " faces cannot vanish, and the rest keeps its share of the target unless DecimateOptions::force");
-    reasons.add(report.attainable.small, " small pieces keep up to four faces each unless DecimateOptions::pieces");
+    reasons.add(report.attainable.small,
+                " small pieces keep up to four faces each unless DecimateOptions::pieces");
   }
   reasons.add(report.held, " vertices are locked or features");
   reasons.add(report.seams, " vertices lie on seams");
