@@ -22,11 +22,13 @@ detail::PieceChoice choose_pieces(const Recipe& recipe, Task& task) {
 void remove_pieces(const IndexedMesh& mesh, const detail::PieceChoice& choice, Result& result) {
   if (choice.goes.empty()) return;
   std::vector<bool> face_stays, vertex_stays(result.mesh.points.size(), true);
+  face_stays.reserve(result.face_origin.size());
   for (const std::uint32_t origin : result.face_origin)
     face_stays.push_back(!choice.has_gone(mesh.triangles[origin][0]));
   for (std::uint32_t v = 0; v < result.vertex_map.size(); ++v)
     if (choice.has_gone(v)) vertex_stays[result.vertex_map[v]] = false;
   std::vector<std::uint32_t> number;
+  number.reserve(vertex_stays.size());
   std::uint32_t next = 0;
   for (const bool stays : vertex_stays) number.push_back(stays ? next++ : Result::kNoVertex);
   for (std::uint32_t& v : result.vertex_map) v = number[v];

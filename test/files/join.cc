@@ -73,9 +73,10 @@ TEST_CASE("join: doubled vertices of OBJ, PLY and OFF become one, and the file's
   const std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string body = points.append(faces);
   for (const MeshFile& file :
        {folder.read("a.obj", std::string(kDoubledSquare) + "f 1 2 3\nf 4 5 6\n"),
-        folder.read("a.ply", ply + points + faces), folder.read("a.off", "OFF\n6 2 0\n" + points + faces)}) {
+        folder.read("a.ply", ply + body), folder.read("a.off", "OFF\n6 2 0\n" + body)}) {
     INFO(file.report.format);
     CHECK(file.mesh.triangles == square().triangles);
     CHECK(file.mesh.points == square().points);

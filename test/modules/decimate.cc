@@ -320,7 +320,7 @@ TEST_CASE("decimate lets go of small pieces when asked, and else leaves the rest
       mesh.delete_vertex(mesh.add_vertex({9, 9, 9}));
     }
     const DecimatedT<float> arrays = decimate(to_indexed(dusty()), options);
-    const DecimateReport report = decimate(mesh, options);
+    DecimateReport report = decimate(mesh, options);
     CHECK(meshes::canonical(to_indexed(mesh)) == meshes::canonical(arrays.mesh));
     CHECK(report.faces == mesh.n_faces());
     CHECK(report.vertices == mesh.n_vertices());

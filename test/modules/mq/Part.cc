@@ -9,7 +9,6 @@
 using namespace whittle;
 using fixture::built;
 using fixture::corner;
-using fixture::vertex;
 using meshes::IndexedMesh;
 using mq::BucketQueue;
 using mq::Corner;
