@@ -2,7 +2,6 @@
 /// The one call that simplifies a mesh: an OpenMesh mesh in place, with all that it carries, or plain arrays.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -141,9 +140,8 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
     throw InvalidParameter("decimate: the extras must have flags for each vertex, or none");
   detail::add_locks(mesh, options, extras.flags);
   const std::vector<std::uint8_t> flags = extras.flags;
-  const std::vector<std::array<std::uint32_t, 3>> wedges = extras.wedges;
   extras = detail::checked(mesh, std::move(extras));
-  const detail::SeamRecord seams(mesh, wedges);
+  const detail::SeamRecord seams(mesh, extras.wedges);
   const detail::PieceChoice pieces = detail::choose_pieces(ready, mesh, extras, seams, options, target);
   const TargetCount way = pieces.target_with_pieces();
   const auto enough = [&](const auto& stages) { return way.is_met(stages.n_faces(), stages.n_vertices()); };

@@ -82,11 +82,8 @@ std::vector<bool> pieces_below(const IndexedMeshT<Real>& mesh, const Pieces& pie
   for (const double diagonal : diagonals) goes.push_back(diagonal < length);
   const auto largest = std::max_element(diagonals.begin(), diagonals.end());
   if (largest != diagonals.end()) goes[static_cast<std::size_t>(largest - diagonals.begin())] = false;
-  for (std::size_t v = 0; v < pieces.of_vertex.size(); ++v) {
-    const bool is_held = (v < extras.flags.size() && (extras.flags[v] & (kLocked | kFeature)) != 0) ||
-                         (v < extras.tolerance.size() && extras.tolerance[v] == 0);
-    if (is_held && pieces.of_vertex[v] != Pieces::kNone) goes[pieces.of_vertex[v]] = false;
-  }
+  const std::vector<bool> held = held_pieces(pieces, extras);
+  for (std::size_t p = 0; p < goes.size(); ++p) goes[p] = goes[p] && !held[p];
   return goes;
 }
 

@@ -22,6 +22,17 @@
 namespace whittle {
 namespace detail {
 
+/// For each piece whether it has a vertex that the user holds: locked, a feature, or of tolerance 0.
+inline std::vector<bool> held_pieces(const Pieces& pieces, const SurfaceExtras& extras) {
+  std::vector<bool> held(pieces.count(), false);
+  for (std::size_t v = 0; v < pieces.of_vertex.size(); ++v) {
+    const bool is_held = (v < extras.flags.size() && (extras.flags[v] & (kLocked | kFeature)) != 0) ||
+                         (v < extras.tolerance.size() && extras.tolerance[v] == 0);
+    if (is_held && pieces.of_vertex[v] != Pieces::kNone) held[pieces.of_vertex[v]] = true;
+  }
+  return held;
+}
+
 /// For each piece twice the integral over it of the squared distance from its centroid: what it costs to merge it into
 /// a point, as mq counts, whose quadrics weigh a face by twice its area. Lengths count in units of `scale`.
 template <typename Real>
@@ -67,13 +78,9 @@ template <typename Real>
 std::vector<bool> pieces_by_error(const IndexedMeshT<Real>& mesh, const Pieces& pieces, SurfaceExtras extras,
                                   const TargetCount& target, std::size_t n_threads) {
   const std::size_t n = pieces.count();
-  std::vector<bool> goes(n, false), stays(n, false);
+  std::vector<bool> goes(n, false);
   if (n < 2) return goes;
   extras = detail::checked(mesh, std::move(extras));
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    if (pieces.of_vertex[v] != Pieces::kNone && (extras.flags[v] & (kLocked | kFeature)) != 0)
-      stays[pieces.of_vertex[v]] = true;
-
   mq::Run run(mesh, extras, {static_cast<float>(FlipGuard().min_cos), 180, HUGE_VAL}, n_threads);
   std::vector<float> collapse_costs;
   run.run(0, 0, &collapse_costs);
@@ -83,6 +90,7 @@ std::vector<bool> pieces_by_error(const IndexedMeshT<Real>& mesh, const Pieces& 
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(), [&](auto p, auto q) { return costs[p] < costs[q]; });
 
+  std::vector<bool> stays = detail::held_pieces(pieces, extras);
   stays[order.back()] = true;
 
   std::vector<std::size_t> faces = pieces.faces, vertices = pieces.vertices;
