@@ -1,22 +1,24 @@
 #!/usr/bin/env bash
 # The whole check: packages, test models, formatting, clang-tidy, then the programs, built as users have them, with the tests
-# that run them, then everything with every test under the sanitizers.
-#   test/run.sh [--no-setup] [--quick|--thread]
+# that run them, then the library, what the programs share and the command line, with every test, under the sanitizers.
+#   test/run.sh [--no-setup] [--quick|--thorough|--thread]
 # --no-setup  leave out bootstrap.sh and the download of the bunny
 # --quick     leave out clang-tidy and the sanitizers, and run every test in the first build
-# --thread    under the thread sanitizer instead, which the plain run leaves out
+# --thorough  also whittle-viewer, whittle-bench and whittle-speed under the sanitizers, which the plain run leaves out
+# --thread    everything under the thread sanitizer instead
 set -euo pipefail
 
 setup=1
 presets=(ci asan+ubsan)
-tidy=1 options=()
+tidy=1 ci_options=() sanitizer_options=()
 for option in "$@"; do
   case $option in
     --no-setup) setup=0 ;;
-    --quick) presets=(ci) tidy=0 options=(-DWHITTLE_UNIT_TESTS=ON) ;;
+    --quick) presets=(ci) tidy=0 ci_options=(-DWHITTLE_UNIT_TESTS=ON) ;;
+    --thorough) sanitizer_options=(-DWHITTLE_DRAWING=ON) ;;
     --thread) presets=(tsan) tidy=0 ;;
     *)
-      echo "usage: test/run.sh [--no-setup] [--quick|--thread]" >&2
+      echo "usage: test/run.sh [--no-setup] [--quick|--thorough|--thread]" >&2
       exit 2
       ;;
   esac
@@ -54,6 +56,8 @@ fi
 
 for preset in "${presets[@]}"; do
   begin "$preset: configure"
+  options=("${sanitizer_options[@]}")
+  [[ $preset == ci ]] && options=("${ci_options[@]}")
   cmake --preset "$preset" "${options[@]}"
   begin "$preset: build"
   cmake --build --preset "$preset"

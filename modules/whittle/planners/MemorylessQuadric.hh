@@ -105,4 +105,11 @@ CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<Real>& mesh, con
   return plan;
 }
 
+#ifdef WHITTLE_COMPILED  // by linking whittle::compiled, which has them
+extern template CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<float>&, const SurfaceExtras&,
+                                                             std::size_t) const;
+extern template CollapsePlan MemorylessQuadric::plan_checked(const IndexedMeshT<double>&,
+                                                             const SurfaceExtras&, std::size_t) const;
+#endif
+
 }  // namespace whittle

@@ -2,15 +2,28 @@
 /// How far a point lies from the planes of the faces around some vertices.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 
 #include "whittle/surface/Surface.hh"
+#ifndef WHITTLE_COMPILED
+#include <Eigen/Cholesky>
+#endif
 
 namespace whittle::detail {
+
+/// Solves a x = b for a symmetric matrix. Eigen's decomposition takes a compiler longer than all the rest here.
+#ifdef WHITTLE_COMPILED
+Eigen::Vector3d solve(const Eigen::Matrix3d& a, const Eigen::Vector3d& b);
+#else
+inline Eigen::Vector3d solve(const Eigen::Matrix3d& a, const Eigen::Vector3d& b) {
+  return a.ldlt().solve(b);
+}
+#endif
 
 /// The planes of the faces around vertices of very many faces, hubs, each summed once: every neighbour of a hub
 /// may want to know.
@@ -79,7 +92,7 @@ class PlaneQuadric {
   Eigen::Vector3d best(double limit) const {
     constexpr double kPull = 1e-5;  // as in mq
     const Eigen::Matrix3d a = a_ + kPull * a_.trace() * Eigen::Matrix3d::Identity();
-    Eigen::Vector3d move = a.ldlt().solve(b_);
+    Eigen::Vector3d move = solve(a, b_);
     if (!move.allFinite()) return center_;
     if (move.norm() > limit) move *= limit / move.norm();
     return center_ + move;

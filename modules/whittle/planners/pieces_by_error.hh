@@ -119,4 +119,11 @@ std::vector<bool> pieces_by_error(const IndexedMeshT<Real>& mesh, const Pieces& 
   return goes;
 }
 
+#ifdef WHITTLE_COMPILED
+extern template std::vector<bool> pieces_by_error(const IndexedMeshT<float>&, const Pieces&, SurfaceExtras,
+                                                  const TargetCount&, std::size_t);
+extern template std::vector<bool> pieces_by_error(const IndexedMeshT<double>&, const Pieces&, SurfaceExtras,
+                                                  const TargetCount&, std::size_t);
+#endif
+
 }  // namespace whittle
