@@ -108,13 +108,17 @@ TextureError texture_error(const IndexedMesh& original, const Attribute& before,
                            const IndexedMesh& simplified, const Attribute& after,
                            const TextureErrorOptions& options) {
   if (options.samples == 0) throw InvalidParameter("the number of samples must be positive");
-  if (!(options.texels > 0)) throw InvalidParameter("the number of texels must be positive");
+  if (!(options.texels > 0) || !(options.texels_high >= 0))
+    throw InvalidParameter("the number of texels must be positive");
   const unsigned threads =
       options.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : options.threads;
   const std::vector<Triangle> wedges = before.per_vertex() ? original.triangles : seam_wedges({before});
   const Charts all = charts(original.triangles, wedges);
   const std::vector<std::uint32_t> chart_after =
       charts_after(original, before, all, simplified, after, threads);
+
+  const Eigen::Vector2d texels(options.texels,
+                               options.texels_high > 0 ? options.texels_high : options.texels);
 
   // The simplified mesh with its charts apart.
   const Cells cells(original, simplified, all.count);
@@ -142,7 +146,7 @@ TextureError texture_error(const IndexedMesh& original, const Attribute& before,
     const auto at = places(original, before, f), now = places(simplified, after, to.index(nearest.face));
     Eigen::Vector2d difference = Eigen::Vector2d::Zero();
     for (std::size_t k = 0; k < 3; ++k) difference += is[k] * now[k] - was[k] * at[k];
-    return difference.squaredNorm() * options.texels * options.texels;
+    return difference.cwiseProduct(texels).squaredNorm();
   };
   const measure::Monitor nobody;
   measure::Watch watch(nobody, static_cast<double>(options.samples));

@@ -19,7 +19,8 @@ struct TextureError {
 };
 
 struct TextureErrorOptions {
-  double texels = 1024;          ///< across the texture, from 0 to 1
+  double texels = 1024;          ///< across the texture, where u goes from 0 to 1
+  double texels_high = 0;        ///< the same for v; 0: as many
   std::size_t samples = 200000;  ///< on the original, spread evenly by area
   unsigned threads = 0;          ///< 0: all cores; the result is the same for every number
 };
@@ -28,7 +29,7 @@ struct TextureErrorOptions {
 /// in the texture; where charts overlap there, in the one of the face nearest to it in space.
 /// \param before, after  texture coordinates that fit the meshes; any that counts v downwards is turned
 /// \throw InvalidMesh       one of the meshes, or the original's texture, has no face of positive area.
-/// \throw InvalidParameter  no samples, texels that are not positive.
+/// \throw InvalidParameter  no samples, texels that are not positive or, high, negative.
 TextureError texture_error(const IndexedMesh& original, const Attribute& before,
                            const IndexedMesh& simplified, const Attribute& after,
                            const TextureErrorOptions& options = {});

@@ -46,6 +46,8 @@ std::size_t count_at(const Json& record, const char* pointer) {
 void fill_counts(const Json& record, Outcome& outcome) {
   outcome.faces_before = count_at(record, "/report/input/faces");
   outcome.faces_after = count_at(record, "/report/output/faces");
+  const Json::json_pointer changes("/report/attribute_changes");
+  if (record.contains(changes)) outcome.attribute_changes = record[changes];
 }
 
 /// Size and time of the last change.
@@ -135,6 +137,7 @@ bool Memory::log(const Item& item, const Outcome& outcome) const {
                 {"faces_before", outcome.faces_before},
                 {"faces_after", outcome.faces_after},
                 {"seconds", outcome.seconds},
+                {"attribute_changes", outcome.attribute_changes},
                 {"message", outcome.message},
                 {"process", process_name()},
                 {"time_utc", text::now_utc()}})

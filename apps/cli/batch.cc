@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cli/RecipeOptions.hh"
+#include "cli/changes.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "terminal/Progress.hh"
@@ -99,6 +100,7 @@ std::string table(const std::vector<batch::Item>& items, const std::vector<Outco
                         outcome.faces_before, outcome.faces_after, outcome.seconds,
                         batch::to_string(outcome.status).c_str(), outcome.message.empty() ? "" : ": ",
                         text::printable(outcome.message).c_str());
+    out += changes_line(outcome.attribute_changes);
   }
   out += text::format("%zu meshes:", items.size());
   for (const auto& [status, count] : counts) out += text::format(" %zu %s;", count, status.c_str());

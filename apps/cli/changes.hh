@@ -1,5 +1,5 @@
 /// \file
-/// How far a run has changed the attributes, as `simplify` reports it.
+/// How far a run has changed the attributes, as `simplify`, `lods` and `batch` report it.
 #pragma once
 
 #include <string>
@@ -10,10 +10,11 @@
 
 namespace whittle::cli {
 
-/// For each kind of attribute that both have, of its first set, `rms` and `max` over 20,000 samples of the input: of texture
-/// coordinates in texels of a texture of 1,024 across, of colours in 255ths of a colour's components, of normals in degrees.
-/// Null where nothing can be measured.
-Json attribute_changes(const files::MeshFile& in, const recipe::Result& result);
+/// For each kind of attribute that both have, of its first set, `rms` and `max` over 20,000 samples of the input: of
+/// texture coordinates in texels of the image, where the file has one, else of 1,024 by 1,024; of colours in 255ths of
+/// a colour's components, of normals in degrees. Null where nothing can be measured.
+/// \param path  the input's
+Json attribute_changes(const std::string& path, const files::MeshFile& in, const recipe::Result& result);
 
 /// The same as a line of text with its line break; empty where there is nothing to say.
 std::string changes_line(const Json& changes);

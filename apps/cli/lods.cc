@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/RecipeOptions.hh"
+#include "cli/changes.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
@@ -28,6 +29,7 @@ struct Level {
   recipe::Result result;
   std::size_t wanted;  ///< faces
   measure::Distance distance;
+  Json changes;  ///< of the attributes
   std::string file;
   bool target_reached() const { return result.target_reached; }
 };
@@ -101,10 +103,13 @@ std::vector<Level> make_levels(const Options& options, const files::MeshFile& in
         progression ? progression->at(wanted) : recipe::run(in.mesh, recipe_for(options, wanted), {}, givens),
         wanted,
         {},
+        nullptr,
         ""};
     measure::DistanceOptions sampling;
     sampling.samples = options.samples;
     level.distance = measure::distance(in.mesh, level.result.mesh, sampling);
+    if (!options.quiet || !options.json.empty())
+      level.changes = attribute_changes(options.in, in, level.result);
     levels.push_back(std::move(level));
   }
   return levels;
@@ -127,6 +132,7 @@ Json describe(const Options& options, const files::MeshFile& in, const std::vect
                     {"target_reached", level.target_reached()},
                     {"flipped_faces", level.result.flipped_faces},
                     {"distance", to_json(level.distance)},
+                    {"attribute_changes", level.changes},
                     {"stages", stages},
                     {"file", level.file}});
   }
@@ -147,6 +153,7 @@ std::string table(const files::MeshFile& in, const std::vector<Level>& levels) {
         "%5zu %10zu %10zu %14s %14s  %s\n", i + 1, levels[i].result.mesh.points.size(),
         levels[i].result.mesh.triangles.size(), figure(100 * d.two_sided.rms / d.diagonal).c_str(),
         figure(100 * d.two_sided.max / d.diagonal).c_str(), text::printable(levels[i].file).c_str());
+    out += changes_line(levels[i].changes);
   }
   return out;
 }

@@ -206,7 +206,7 @@ int simplify(const Options& options) {
   std::vector<std::string> left_out = drop_attributes(options, options.out, format, in);
   const recipe::Result result = recipe::run(in.mesh, recipe, {}, givens);
   const bool is_told = !options.quiet || !options.json.empty();
-  const Json changes = is_told ? attribute_changes(in, result) : Json(nullptr);
+  const Json changes = is_told ? attribute_changes(options.in, in, result) : Json(nullptr);
 
   format.single_precision = in.single_precision;
   format.texture_at_vertices = in.texture_at_vertices;

@@ -117,8 +117,46 @@ TEST_CASE("texture coordinates and colours count by default, and how far each ha
     CHECK_THAT(done.out, Contains("attributes off by"));
     return Json::parse(programs::contents(folder / "json"))["attribute_changes"];
   };
-  CHECK(changes(texture, "mq")["texture"]["rms_texels_of_1024"] < 1);
-  CHECK(changes(texture, "mq:texture=0")["texture"]["rms_texels_of_1024"] > 10);
+  CHECK(changes(texture, "mq")["texture"]["rms_texels"] < 1);
+  CHECK(changes(texture, "mq:texture=0")["texture"]["rms_texels"] > 10);
   CHECK(changes(colour, "mq")["colours"]["rms_255ths"] < 10);
   CHECK(changes(colour, "mq:colours=0")["colours"]["rms_255ths"] > 20);
+}
+
+TEST_CASE("lods and batch tell how far attributes have changed, in texels of the image where there is one") {
+  programs::Folder folder;
+  std::filesystem::create_directories(folder / "in");
+  const IndexedMesh mesh = meshes::flat_grid(21);
+  attributes::Attribute texture = at_corners(attributes::Kind::texture, 2);
+  for (const auto& p : mesh.points)
+    texture.values.insert(texture.values.end(),
+                          {std::abs(static_cast<float>(p.x()) / 10 - 1), static_cast<float>(p.y()) / 20});
+  files::write_mesh(folder / "in/a.obj", mesh, {}, {texture});
+  const auto changes_of = [&] {
+    const auto lods = whittle_program({"lods", folder / "in/a.obj", "--levels", "2", "--out",
+                                       folder / "l.obj", "--samples", "100", "--json", folder / "json"});
+    CHECK(lods.code == 0);
+    const Json level = Json::parse(programs::contents(folder / "json"))["levels"][1];
+    const auto batch = whittle_program({"batch", folder / "in", "--out", folder / "out", "--ratio", "0.5"});
+    CHECK(batch.code == 0);
+    for (const std::string& text : {lods.out, batch.out}) CHECK_THAT(text, Contains("attributes off by"));
+    std::string log;
+    for (const auto& file : std::filesystem::directory_iterator(folder / "out/.whittle/log"))
+      log = programs::contents(file.path());
+    std::filesystem::remove_all(folder / "out");
+    const Json changes = Json::parse(log)["attribute_changes"];
+    CHECK(changes["texture"]["image"] == level["attribute_changes"]["texture"]["image"]);
+    return changes["texture"];
+  };
+  const Json of_1024 = changes_of();
+  CHECK(of_1024["image"].is_null());
+  std::ofstream(folder / "in/a.mtl") << "newmtl a\nmap_Kd a.png\n";
+  const std::string head("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x20\0\0\0\x20\0", 24);  // 8,192 by 8,192
+  std::ofstream(folder / "in/a.png", std::ios::binary) << head;
+  const std::string obj = programs::contents(folder / "in/a.obj");
+  std::ofstream(folder / "in/a.obj") << "mtllib a.mtl\n" << obj;
+  const Json of_image = changes_of();
+  CHECK(of_image["image"]["width"] == 8192);
+  CHECK(of_image["max_texels"].get<double>() ==
+        Approx(8 * of_1024["max_texels"].get<double>()).epsilon(0.01).margin(0.01));
 }
