@@ -1,8 +1,11 @@
 #include "attributes/values.hh"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+
+#include "attributes/bends.hh"
 
 namespace whittle::attributes {
 namespace {
@@ -22,6 +25,13 @@ std::vector<std::uint32_t> single_values(const IndexedMesh& mesh, const Attribut
   return single;
 }
 
+/// A weight, less where values bend more than the shape: at most `most` of how far that does, but a tenth at least.
+double limited(double weight, const Bends& bends, double most) {
+  constexpr double kLeast = 0.1;
+  if (!(weight * bends.value > most * bends.shape)) return weight;
+  return weight * std::max(kLeast, most * bends.shape / (weight * bends.value));
+}
+
 }  // namespace
 
 double weight_of(Kind kind, const ValueWeights& weights) {
@@ -38,7 +48,7 @@ double weight_of(Kind kind, const ValueWeights& weights) {
 }
 
 ValueWeights default_weights(const IndexedMesh& mesh, const Attributes& attributes) {
-  double area = 0, texture_area = 0;
+  double area = 0;
   std::size_t components = 0;
   const auto cross = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     return (b - a).cross(c - a).norm();
@@ -47,20 +57,24 @@ ValueWeights default_weights(const IndexedMesh& mesh, const Attributes& attribut
     area += cross(mesh.points[a], mesh.points[b], mesh.points[c]) / 2;
   ValueWeights weights;
   for (const Attribute& attribute : attributes) {
-    if (attribute.kind == Kind::colour) {
-      weights.colours = 0.003 * std::sqrt(area);
-      components += attribute.components;
-    }
-    if (attribute.kind != Kind::texture) continue;
+    if (attribute.kind != Kind::colour && attribute.kind != Kind::texture) continue;
     components += attribute.components;
+    if (attribute.kind == Kind::colour) {
+      constexpr double kMost = 1;
+      weights.colours = limited(0.003 * std::sqrt(area), bends(mesh, attribute), kMost);
+      continue;
+    }
+    constexpr double kMost = 0.5;
     const auto place = [&](std::size_t face, std::size_t corner) {
       const float* uv = attribute.value(attribute.at(mesh, face, corner));
       return Eigen::Vector3d(uv[0], uv[1], 0);
     };
+    double texture_area = 0;
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
       texture_area += cross(place(f, 0), place(f, 1), place(f, 2)) / 2;
+    if (texture_area > 0)
+      weights.texture = limited(0.1 * std::sqrt(area / texture_area), bends(mesh, attribute), kMost);
   }
-  if (texture_area > 0) weights.texture = 0.1 * std::sqrt(area / texture_area);
   const bool is_sound = std::isfinite(weights.colours) && std::isfinite(weights.texture);
   return is_sound && components <= SurfaceExtras::kMostValues ? weights : ValueWeights();
 }
