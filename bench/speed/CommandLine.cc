@@ -28,27 +28,33 @@ std::vector<Suite> suites(const std::string& name) {
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine line;
   std::vector<std::string> models, report;
-  std::string suite = "figures", out = line.out.string();
+  std::string suite = "figures", compare, export_to, out = line.out.string();
 
   CLI::App app("Times Whittle's executors against OpenMesh's decimaters and other libraries.",
                "whittle-speed");
   app.set_version_flag("--version", version::text("whittle-speed"));
   app.add_option("models", models, "Mesh files (default: the bunny and the dragon in assets/cache)");
-  app.add_option("--suite", suite,
-                 "figures: all contenders; growth: how times grow with the model; all: both; truth: error "
-                 "and topology of mq; shapes: how times grow where very many faces meet")
+  app.add_option(
+         "--suite", suite,
+         "figures: all contenders; growth: how times grow with the model; all: both; truth: error "
+         "and topology of mq; shapes: how times grow where very many faces meet; textured: mq on models with "
+         "texture coordinates or colours")
       ->capture_default_str()
-      ->check(CLI::IsMember({"figures", "growth", "all", "truth", "shapes"}));
+      ->check(CLI::IsMember({"figures", "growth", "all", "truth", "shapes", "textured"}));
   app.add_option("--rounds", line.rounds, "How often each contender is timed (default: 7; growth: 3)")
       ->check(CLI::Range(1, 1000));
-  app.add_option("--samples", line.samples, "Samples a side for the distances of the results")
-      ->capture_default_str()
+  app.add_option("--samples", line.samples,
+                 "Samples a side for the distances of the results (default: 200000; textured: 100000)")
       ->check(CLI::Range(1, 100000000));
   app.add_option("--subdivisions", line.subdivisions,
                  "growth: the last model is cut 1 to 4 up to so many times")
       ->capture_default_str()
       ->check(CLI::Range(0, 4));
-  app.add_option("--only", line.only_text, "Regular expression: only contenders in whose name it is found");
+  app.add_option("--only", line.only_text,
+                 "Regular expression: only contenders in whose name it is found; textured: only models");
+  app.add_option("--compare", compare,
+                 "textured: a folder with PEER/MODEL-PERCENT.glb, which are measured, too");
+  app.add_option("--export", export_to, "textured: no run; write the models as GLB into this folder");
   app.add_option("--threads", line.threads, "Processors that the process may use (default: all)")
       ->check(CLI::Range(1, 4096));
   app.add_option("--out", out, "Folder for NAME.json and NAME.md; made if missing")->capture_default_str();
@@ -66,6 +72,13 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     throw UsageError(one_line(error.what()));
   }
   line.shapes = suite == "shapes";
+  line.textured = suite == "textured";
+  if (!line.textured && !(compare.empty() && export_to.empty()))
+    throw UsageError("--compare and --export are of --suite textured");
+  if (!compare.empty()) line.compare = compare;
+  if (!export_to.empty()) line.export_to = export_to;
+  if (line.compare && !std::filesystem::is_directory(*line.compare))
+    throw UsageError("--compare: \"" + compare + "\" is no folder");
   if (line.shapes && !(report.empty() && models.empty()))
     throw UsageError("--suite shapes makes its meshes itself: it takes no models and no --report");
   if (!report.empty() && !models.empty()) throw UsageError("--report takes results, no models");

@@ -201,6 +201,7 @@ std::vector<Figure> figures(const Json& run) {
     all.push_back(std::move(f));
   };
   for (const Json& suite : run.at("suites")) {
+    if (suite.at("suite") == "textured") continue;  // has goals of its own
     const Json& models = suite.at("models");
     for (const Json& model : models) {
       const Results results(model);

@@ -1,10 +1,12 @@
 #include "speed/markdown.hh"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
 #include "speed/figures.hh"
+#include "speed/textured/suite.hh"
 
 namespace whittle::speed {
 namespace {
@@ -46,7 +48,9 @@ void write_run(std::ostream& out, const Json& run) {
     const char* separator = " ";
     for (const Json& model : suite.at("models")) {
       out << separator << text(model.at("name")) << " (" << model.at("vertices") << " vertices, "
-          << model.at("faces") << " triangles, checksum " << text(model.at("checksum")) << ")";
+          << model.at("faces") << " triangles";
+      if (model.contains("checksum")) out << ", checksum " << text(model.at("checksum"));
+      out << ")";
       separator = ", ";
     }
     out << "\n";
@@ -54,6 +58,7 @@ void write_run(std::ostream& out, const Json& run) {
 }
 
 void write_figures(std::ostream& out, const std::vector<Json>& runs) {
+  if (std::all_of(runs.begin(), runs.end(), [](const Json& run) { return figures(run).empty(); })) return;
   out << "## Goals\n\nRatios of medians within one run. A goal is reached if each of its ratios is.\n\n"
       << "| what | against | on | core | goal | measured | reached |\n|---|---|---|---|---|---|---|\n";
   for (const Json& run : runs)
@@ -173,12 +178,17 @@ std::string markdown(const std::vector<Json>& runs) {
   out << "\n";
   write_figures(out, runs);
   for (const Json& run : runs)
-    for (const Json& suite : run.at("suites"))
+    for (const Json& suite : run.at("suites")) {
+      if (suite.at("suite") == "textured") {
+        write_textured(out, suite);
+        continue;
+      }
       for (const Json& model : suite.at("models")) {
         write_model(out, run, suite, model);
         write_topology(out, model);
         write_phases(out, model);
       }
+    }
   return out.str();
 }
 

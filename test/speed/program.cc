@@ -106,6 +106,9 @@ TEST_CASE("bad usage and bad input end whittle-speed with 2 and one line, and no
                                                      {torus, "--suite", "some"},
                                                      {torus, "--name", "a/b"},
                                                      {torus, "--threads", "4096"},
+                                                     {torus, "--suite", "textured"},
+                                                     {torus, "--export", folder / "r"},
+                                                     {"--suite", "textured", "--compare", folder / "none"},
                                                      {"--report", poem},
                                                      {"--report", half},
                                                      {"--report", folder / "none.json"}};
@@ -119,6 +122,31 @@ TEST_CASE("bad usage and bad input end whittle-speed with 2 and one line, and no
     CHECK_THAT(done.err, Contains("whittle-speed: "));
     CHECK_FALSE(std::filesystem::exists(folder / "r"));
   }
+}
+
+TEST_CASE("the suite of textured models writes them for other programs, and measures a file") {
+  const programs::Folder folder;
+  const std::string models = folder / "models", out = folder / "r";
+  const auto exported = programs::run(
+      WHITTLE_SPEED_PROGRAM,
+      {"--suite", "textured", "--only", "^soft-hills-mirrored$", "--export", models, "--quiet"});
+  CHECK(exported.code == 0);
+  const std::string model = models + "/soft-hills-mirrored.glb";
+  REQUIRE(files::read_mesh(model).attributes.size() == 1);
+  std::filesystem::rename(model, models + "/mine.glb");
+  const auto done =
+      programs::run(WHITTLE_SPEED_PROGRAM, {models + "/mine.glb", "--suite", "textured", "--only", "^mine$",
+                                            "--rounds", "1", "--samples", "500", "--out", out, "--quiet"});
+  INFO(done.err);
+  CHECK(done.code == 0);
+  const AnyJson run = AnyJson::parse(programs::contents(out + "/speed.json"));
+  CHECK(run["suites"][0]["models"][0]["half"] == "given");
+  CHECK(run["suites"][0]["models"][0]["results"].size() == 5);
+  CHECK_THAT(programs::contents(out + "/speed.md"), Contains("| mine | 10 | mq | "));
+  const auto again = programs::run(
+      WHITTLE_SPEED_PROGRAM, {"--report", out + "/speed.json", "--out", out, "--name", "again", "--quiet"});
+  CHECK(again.code == 0);
+  CHECK(programs::contents(out + "/again.md") == programs::contents(out + "/speed.md"));
 }
 
 TEST_CASE("whittle-speed answers --help and --version") {
