@@ -2,15 +2,18 @@
 
 #include <numeric>
 
+#include "whittle/openmesh/FaceAdderT.hh"
+
 namespace whittle::recipe {
 
 OpenMeshCopy::OpenMeshCopy(const IndexedMesh& in) {
   for (const auto& p : in.points) mesh.add_vertex(Mesh::Point(p[0], p[1], p[2]));
+  detail::FaceAdderT<Mesh> faces(mesh);
   for (std::uint32_t f = 0; f < in.triangles.size(); ++f) {
-    const auto& t = in.triangles[f];
-    const bool degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    const auto corner = [&](int i) { return Mesh::VertexHandle(static_cast<int>(t[i])); };
-    if (!degenerate && mesh.add_face(corner(0), corner(1), corner(2)).is_valid())
+    const auto corner = [&](std::size_t i) {
+      return Mesh::VertexHandle(static_cast<int>(in.triangles[f][i]));
+    };
+    if (faces.add({corner(0), corner(1), corner(2)}).is_valid())
       face_origin_.push_back(f);
     else
       ++refused_faces_;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "whittle/openmesh/HalfedgeCollapse.hh"
+#include "whittle/openmesh/find_halfedge.hh"
 #include "whittle/plan/FlipGuard.hh"
 #include "whittle/surface/constants.hh"
 #include "whittle/surface/errors.hh"
@@ -131,7 +131,6 @@ class DelaunayFlipperT {
   }
 
   Mesh& mesh_;
-  detail::HalfedgeCollapseT<Mesh> connectivity_;
   const DelaunayFlips& options_;
   const std::vector<bool>& region_;
   double min_dihedral_cos_;
@@ -170,7 +169,6 @@ template <typename Mesh>
 DelaunayFlipperT<Mesh>::DelaunayFlipperT(Mesh& mesh, const DelaunayFlips& options,
                                          const std::vector<bool>& region)
     : mesh_(mesh),
-      connectivity_(mesh),
       options_(options),
       region_(region),
       // Rounding may take the cosine of two equal unit normals a few ulps below 1, hence the allowance.
@@ -239,8 +237,8 @@ auto DelaunayFlipperT<Mesh>::judge(EdgeHandle e) const -> Verdict {
   const Verdict shape = judge_shape(q);
   if (shape != Verdict::flips) return shape;
   // An inner vertex of three edges is safe too: the two vertices opposite to such an edge are connected.
-  return q.c != q.d && !connectivity_.find_from_either(q.c, q.d).is_valid() ? Verdict::flips
-                                                                            : Verdict::refused_by_topology;
+  return q.c != q.d && !detail::find_halfedge(mesh_, q.c, q.d).is_valid() ? Verdict::flips
+                                                                          : Verdict::refused_by_topology;
 }
 
 template <typename Mesh>

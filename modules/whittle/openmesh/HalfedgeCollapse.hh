@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "whittle/openmesh/find_halfedge.hh"
+
 namespace whittle::detail {
 
 /// The legality test and the collapse of OpenMesh's decimaters, for triangle meshes, without a call into
@@ -46,9 +48,6 @@ class HalfedgeCollapseT {
     while ((h = rotated(h)) != start);
     return HalfedgeHandle();
   }
-
-  /// The same in a time that depends on the vertex with fewer edges.
-  HalfedgeHandle find_from_either(VertexHandle from, VertexHandle to) const;
 
   void collapse(HalfedgeHandle h);
 
@@ -110,7 +109,7 @@ bool HalfedgeCollapseT<Mesh>::is_legal(HalfedgeHandle h) {
   if (rotated(rotated(h)) == h) return false;  // only one face at v0
   if (rings_meet_elsewhere(v0, v1, vl, vr)) return false;
   return !(left && right && points_to_valence_3(hn) && points_to_valence_3(on) &&
-           find_from_either(vl, vr).is_valid());
+           find_halfedge(mesh_, vl, vr).is_valid());
 }
 
 template <typename Mesh>
@@ -153,23 +152,9 @@ bool HalfedgeCollapseT<Mesh>::rings_meet_at_hub(VertexHandle v0, VertexHandle v1
   h = start;
   do {
     const VertexHandle v = mesh_.to_vertex_handle(h);
-    if (v != far && v != vl && v != vr && find_from_either(v, far).is_valid()) return true;
+    if (v != far && v != vl && v != vr && find_halfedge(mesh_, v, far).is_valid()) return true;
   } while ((h = rotated(h)) != start);
   return false;
-}
-
-template <typename Mesh>
-auto HalfedgeCollapseT<Mesh>::find_from_either(VertexHandle from, VertexHandle to) const -> HalfedgeHandle {
-  const HalfedgeHandle start_a = mesh_.halfedge_handle(from), start_b = mesh_.halfedge_handle(to);
-  HalfedgeHandle h = start_a, o = start_b;
-  if (!h.is_valid() || !o.is_valid()) return HalfedgeHandle();
-  do {
-    if (mesh_.to_vertex_handle(h) == to) return h;
-    if (mesh_.to_vertex_handle(o) == from) return opposite(o);
-    h = rotated(h);
-    o = rotated(o);
-  } while (h != start_a && o != start_b);
-  return HalfedgeHandle();
 }
 
 template <typename Mesh>

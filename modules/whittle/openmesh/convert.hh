@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "whittle/openmesh/FaceAdderT.hh"
 #include "whittle/openmesh/points_in_space.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/errors.hh"
@@ -61,7 +62,6 @@ IndexedMeshT<typename Mesh::Scalar> to_indexed(const Mesh& mesh) {
 /// Adds points and triangles to an OpenMesh mesh, as a rule an empty one.
 /// \return how many triangles OpenMesh could not take: degenerate ones, and those that would make an edge or
 ///         a vertex non-manifold. What `bulk` makes of a manifold mesh has none of them.
-///         OpenMesh may say a word about them on its `omerr()`.
 template <typename Mesh>
 std::size_t to_openmesh(const IndexedMeshT<typename Mesh::Scalar>& indexed, Mesh& mesh) {
   detail::require_points_in_space<Mesh>();
@@ -72,10 +72,10 @@ std::size_t to_openmesh(const IndexedMeshT<typename Mesh::Scalar>& indexed, Mesh
                mesh.n_faces() + indexed.triangles.size());
   for (const auto& p : indexed.points) mesh.add_vertex(typename Mesh::Point(p[0], p[1], p[2]));
   std::size_t refused = 0;
+  detail::FaceAdderT<Mesh> faces(mesh);
   for (const auto& t : indexed.triangles) {
     const auto corner = [&](std::size_t i) { return VertexHandle(first + static_cast<int>(t[i])); };
-    const bool is_degenerate = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    refused += is_degenerate || !mesh.add_face(corner(0), corner(1), corner(2)).is_valid();
+    refused += !faces.add({corner(0), corner(1), corner(2)}).is_valid();
   }
   return refused;
 }
