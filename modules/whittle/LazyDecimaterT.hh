@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "whittle/openmesh/DriverT.hh"
@@ -17,7 +18,8 @@ namespace whittle {
 /// priorities first, and tests legality when a collapse is the best of all. After a collapse the vertices
 /// around the survivor are marked; a marked vertex is judged anew when it comes up. So a vertex whose
 /// priority has improved may come up late, which makes the order differ a little from DecimaterT's, and with
-/// it the mesh; with planned modules it does not. Equal priorities go by vertex index.
+/// it the mesh; with planned modules it does not. Equal priorities go by vertex index. A vertex with more than 64
+/// edges is judged anew when an eighth of them has changed, and at the end.
 template <typename MeshT>
 class LazyDecimaterT : public DriverT<MeshT> {
  public:
@@ -45,13 +47,32 @@ class LazyDecimaterT : public DriverT<MeshT> {
     HalfedgeHandle collapse;    ///< the best one that removes this vertex
     std::uint32_t version = 0;  ///< queue entries of an older version are void
     bool queued = false;
-    bool marked = false;  ///< its neighbourhood has changed since it was judged
+    bool marked = false;        ///< its neighbourhood has changed since it was judged
+    std::uint32_t edges = 0;    ///< that it was judged by
+    std::uint32_t changes = 0;  ///< around it since
   };
 
   /// Judges the collapses that remove `v`, legal or not unless `only_legal`, and queues the best.
   void judge(VertexHandle v, bool only_legal);
 
+  /// Whether a vertex has very many edges, and too few have changed for judging all of them anew.
+  static bool is_hub_at_rest(const Candidate& candidate) {
+    constexpr std::uint32_t kMany = 64, kShare = 8;
+    return candidate.edges > kMany && candidate.changes < candidate.edges / kShare;
+  }
+  /// Judges one collapse of a hub that has none in the queue, and queues it if it is allowed.
+  void judge_one(HalfedgeHandle h);
+  /// Judges a hub by the collapse that was its best; where that is gone, all of them, or later.
+  void judge_hub(VertexHandle v);
+  void put_off(VertexHandle v) {
+    candidates_[static_cast<std::size_t>(v.idx())].queued = false;
+    waiting_.push_back(v);
+  }
+  /// Judges those that were put off.
+  void judge_waiting();
+
   std::vector<Candidate> candidates_;
+  std::vector<VertexHandle> waiting_;
   std::priority_queue<Entry> queue_;
 };
 
@@ -60,8 +81,10 @@ void LazyDecimaterT<MeshT>::judge(VertexHandle v, bool only_legal) {
   Candidate& candidate = candidates_[static_cast<std::size_t>(v.idx())];
   ++candidate.version;
   candidate.queued = candidate.marked = false;
+  candidate.edges = candidate.changes = 0;
   float best = FLT_MAX;
   for (auto h = this->mesh_.cvoh_iter(v); h.is_valid(); ++h) {
+    ++candidate.edges;
     if (only_legal && !this->is_legal(*h)) continue;
     const CollapseInfo ci(this->mesh_, *h);
     const float priority = this->collapse_priority(ci);
@@ -75,39 +98,88 @@ void LazyDecimaterT<MeshT>::judge(VertexHandle v, bool only_legal) {
 }
 
 template <typename MeshT>
+void LazyDecimaterT<MeshT>::judge_one(HalfedgeHandle h) {
+  const CollapseInfo ci(this->mesh_, h);
+  const float priority = this->collapse_priority(ci);
+  if (priority < 0) return;
+  Candidate& candidate = candidates_[static_cast<std::size_t>(ci.v0.idx())];
+  candidate.collapse = h;
+  candidate.queued = true;
+  candidate.marked = false;
+  queue_.push({priority, ci.v0.idx(), ++candidate.version});
+}
+
+template <typename MeshT>
+void LazyDecimaterT<MeshT>::judge_hub(VertexHandle v) {
+  Candidate& candidate = candidates_[static_cast<std::size_t>(v.idx())];
+  const HalfedgeHandle h = candidate.collapse;
+  candidate.queued = false;
+  if (!this->mesh_.status(this->mesh_.edge_handle(h)).deleted() && this->mesh_.from_vertex_handle(h) == v)
+    judge_one(h);
+  if (candidate.queued) return;
+  if (this->planned())
+    judge(v, false);  // its one collapse may run along another edge now
+  else
+    put_off(v);
+}
+
+template <typename MeshT>
+void LazyDecimaterT<MeshT>::judge_waiting() {
+  for (const VertexHandle v : std::exchange(waiting_, {})) {
+    const Candidate& candidate = candidates_[static_cast<std::size_t>(v.idx())];
+    if (!this->mesh_.status(v).deleted() && !candidate.queued && candidate.changes > 0) judge(v, false);
+  }
+}
+
+template <typename MeshT>
 void LazyDecimaterT<MeshT>::run(bool only_selected) {
   Mesh& mesh = this->mesh_;
   const auto takes_part = [&](VertexHandle v) {
     return !mesh.status(v).deleted() && (!only_selected || mesh.status(v).selected());
   };
   queue_ = {};
+  waiting_.clear();
   candidates_.assign(mesh.n_vertices(), Candidate());
   for (const auto v : mesh.all_vertices())
     if (takes_part(v)) judge(v, false);
 
-  const auto mark = [&](VertexHandle v) {
+  // `h` leads from the vertex to the survivor.
+  const auto mark = [&](VertexHandle v, HalfedgeHandle h) {
     Candidate& candidate = candidates_[static_cast<std::size_t>(v.idx())];
     candidate.marked = true;
-    if (!candidate.queued && takes_part(v)) judge(v, false);
+    ++candidate.changes;
+    if (candidate.queued || !takes_part(v)) return;
+    if (!is_hub_at_rest(candidate)) return judge(v, false);
+    if (candidate.changes == 1) put_off(v);
+    if (h.is_valid()) judge_one(h);
   };
-  while (!queue_.empty() && !this->finished()) {
+  while (!this->finished()) {
+    if (queue_.empty()) judge_waiting();
+    if (queue_.empty()) break;
     const Entry entry = queue_.top();
     queue_.pop();
     const VertexHandle v0(entry.vertex);
     const Candidate& candidate = candidates_[static_cast<std::size_t>(entry.vertex)];
     if (entry.version != candidate.version || mesh.status(v0).deleted()) continue;
     if (candidate.marked) {
-      judge(v0, false);
+      if (is_hub_at_rest(candidate))
+        judge_hub(v0);
+      else
+        judge(v0, false);
       continue;
     }
     if (!this->is_legal(candidate.collapse)) {
-      judge(v0, true);
+      if (is_hub_at_rest(candidate) && candidate.changes > 0 && !this->planned())
+        put_off(v0);
+      else
+        judge(v0, true);
       continue;
     }
     CollapseInfo ci(mesh, candidate.collapse);
     this->execute(ci);
-    mark(ci.v1);
-    for (auto v = mesh.cvv_iter(ci.v1); v.is_valid(); ++v) mark(*v);
+    mark(ci.v1, HalfedgeHandle());
+    for (auto h = mesh.cvoh_iter(ci.v1); h.is_valid(); ++h)
+      mark(mesh.to_vertex_handle(*h), mesh.opposite_halfedge_handle(*h));
   }
 }
 
