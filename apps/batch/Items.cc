@@ -1,10 +1,13 @@
 #include "batch/Items.hh"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -17,10 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_any_of(const std::vector<std::string>& extensions, const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool is_any_of(const std::vector<std::string>& extensions, const fs::path& path) {
+  const std::string extension = lower_case(path.extension().string());
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
@@ -147,7 +154,23 @@ void check_inputs_stay(const std::vector<Item>& items) {
 
 }  // namespace
 
-Listing list_items(const fs::path& source, const fs::path& out, const std::string& format) {
+bool case_counts_in(fs::path folder) {
+  std::error_code error;
+  for (folder = fs::absolute(folder, error); !fs::is_directory(folder, error) && folder.has_relative_path();)
+    folder = folder.parent_path();
+  std::string made = (folder / ".whittle-case-XXXXXX").string();
+  if (::mkdtemp(made.data()) == nullptr) return true;
+  const fs::path name = fs::path(made).filename();
+  std::string other = name.string();
+  std::transform(other.begin(), other.end(), other.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const bool is_found = fs::exists(folder / other, error);
+  fs::remove(made, error);
+  return !is_found;
+}
+
+Listing list_items(const fs::path& source, const fs::path& out, const std::string& format,
+                   bool (*case_counts)(fs::path)) {
   std::error_code error;
   const bool is_folder = fs::is_directory(source, error);
   if (!is_folder && !fs::exists(source, error)) throw BatchError(source.string() + ": there is no such file");
@@ -155,6 +178,8 @@ Listing list_items(const fs::path& source, const fs::path& out, const std::strin
   Listing listing;
   listing.problems = std::move(found.problems);
   std::map<fs::path, fs::path> taken;
+  std::map<std::string, fs::path> in_lower_case;
+  std::optional<bool> counts;  // once that matters
   for (auto& [in, relative] : found.meshes) {
     if (!format.empty())
       relative.replace_extension(format);
@@ -164,6 +189,11 @@ Listing list_items(const fs::path& source, const fs::path& out, const std::strin
     if (!is_new)
       throw BatchError(in.string() + " and " + other->second.string() + " would both become " +
                        (out / relative).string());
+    const auto [similar, is_alone] = in_lower_case.emplace(lower_case(relative.string()), in);
+    if (!is_alone && !counts) counts = case_counts(out);
+    if (!is_alone && !*counts)
+      throw BatchError(in.string() + " and " + similar->second.string() + " would both become " +
+                       (out / relative).string() + ", as case does not count there: rename one");
     listing.items.push_back({in, out / relative, flat(relative.string())});
   }
   check_inputs_stay(listing.items);

@@ -63,18 +63,19 @@ std::vector<Choice> choices() {
           {"--format", {"obj", "ply", "off", "stl", "om", "glb"}}};
 }
 
-std::string bash(const CLI::App& app) {
-  std::string out =
-      "_whittle() {\n"
-      "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
-      "  COMPREPLY=()\n"
-      "  if ((COMP_CWORD == 1)); then\n"
-      "    COMPREPLY=($(compgen -W '" +
-      joined(names(app)) +
-      " --help --version' -- \"$word\"))\n"
-      "    return\n"
-      "  fi\n"
-      "  case $before in\n";
+/// \param function  that the shell calls
+std::string bash(const CLI::App& app, const std::string& function) {
+  std::string out = function +
+                    "() {\n"
+                    "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
+                    "  COMPREPLY=()\n"
+                    "  if ((COMP_CWORD == 1)); then\n"
+                    "    COMPREPLY=($(compgen -W '" +
+                    joined(names(app)) +
+                    " --help --version' -- \"$word\"))\n"
+                    "    return\n"
+                    "  fi\n"
+                    "  case $before in\n";
   for (const Choice& choice : choices())
     out += "    " + std::string(choice.option) + ") COMPREPLY=($(compgen -W '" + joined(choice.values) +
            "' -- \"$word\")); return ;;\n";
@@ -92,7 +93,8 @@ std::string bash(const CLI::App& app) {
          "  local name\n"  // a name may hold blanks and stars
          "  while IFS= read -r name; do COMPREPLY+=(\"$name\"); done < <(compgen -f -- \"$word\")\n"
          "}\n"
-         "complete -o filenames -F _whittle whittle\n";
+         "complete -o filenames -F " +
+         function + " whittle\n";
 }
 
 std::string fish(const CLI::App& app) {
@@ -110,12 +112,14 @@ std::string fish(const CLI::App& app) {
   return out;
 }
 
+/// bash's, by zsh's help for such. As an autoloaded function it is first called to complete something.
+std::string zsh(const CLI::App& app) {
+  return "#compdef whittle\nautoload -U +X bashcompinit && bashcompinit\n" + bash(app, "_whittle_words") +
+         "if [[ ${funcstack[1]} == _whittle ]]; then _bash_complete -o filenames -F _whittle_words; fi\n";
+}
+
 int print_completion(const CLI::App& app, const std::string& shell) {
-  const std::string text = shell == "fish" ? fish(app)
-                           : shell == "zsh"
-                               ? "#compdef whittle\nautoload -U +X bashcompinit && bashcompinit\n" + bash(app)
-                               : bash(app);
-  print_text(text);
+  print_text(shell == "fish" ? fish(app) : shell == "zsh" ? zsh(app) : bash(app, "_whittle"));
   return 0;
 }
 

@@ -2,10 +2,13 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <vector>
 
 #include "files/Fault.hh"
 
@@ -13,22 +16,75 @@ namespace whittle::files {
 
 namespace fs = std::filesystem;
 
-void keep_owner(int file, const struct stat& old) {
+namespace {
+
+/// Names, each with a zero at its end.
+using Names = std::vector<std::string>;
+
+Names split(const std::vector<char>& text) {
+  Names names;
+  for (auto at = text.begin(); at != text.end(); ++at) {
+    const auto end = std::find(at, text.end(), '\0');
+    names.emplace_back(at, end);
+    if (end == text.end()) break;
+    at = end;
+  }
+  return names;
+}
+
+/// What `read(buffer, size)` returns, asked again where it has grown in between; empty where it fails.
+template <typename Read>
+std::vector<char> whole(Read read) {
+  std::vector<char> out;
+  for (int i = 0; i < 8; ++i) {
+    const ssize_t size = read(nullptr, 0);
+    if (size <= 0) return {};
+    out.resize(static_cast<std::size_t>(size));
+    const ssize_t got = read(out.data(), out.size());
+    if (got < 0 && errno == ERANGE) continue;
+    out.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+    return out;
+  }
+  return {};
+}
+
+/// Access control lists are extended attributes, too. What is not allowed stays as it is.
+void keep_extended_attributes(int file, const fs::path& old) {
+  const char* const path = old.c_str();
+  const Names kept = split(whole([&](char* to, std::size_t n) { return ::listxattr(path, to, n); }));
+  for (const std::string& name :
+       split(whole([&](char*to, std::size_t n) { return ::flistxattr(file, to, n); })))
+    if (std::find(kept.begin(), kept.end(), name) == kept.end())  // as the folder gives it to new files
+      ::fremovexattr(file, name.c_str());
+  for (const std::string& name : kept) {
+    const std::vector<char> value =
+        whole([&](char* to, std::size_t n) { return ::getxattr(path, name.c_str(), to, n); });
+    ::fsetxattr(file, name.c_str(), value.data(), value.size(), 0);
+  }
+}
+
+}  // namespace
+
+void keep_attributes(int file, const Target& target) {
+  const struct stat& old = target.old;
   struct stat now {};
   if (::fstat(file, &now) != 0) throw_errno();
   // The group alone is often allowed where the owner is not. What is not allowed stays as it is.
   if (now.st_gid != old.st_gid) [[maybe_unused]]
     const int kept = ::fchown(file, static_cast<uid_t>(-1), old.st_gid);
-  if (now.st_uid != old.st_uid) [[maybe_unused]]
-    const int kept = ::fchown(file, old.st_uid, static_cast<gid_t>(-1));
-  if (::fchmod(file, old.st_mode & 07777) != 0) throw_errno();  // last, as a new owner takes bits away
+  keep_extended_attributes(file, target.path);
+  if (::fchmod(file, old.st_mode & 07777) != 0) throw_errno();
+  if (now.st_uid == old.st_uid) return;
+  // Only its owner may change the rest, and a new owner takes bits away.
+  if (::fchown(file, old.st_uid, static_cast<gid_t>(-1)) == 0 && ::fchmod(file, old.st_mode & 07777) != 0)
+    throw_errno();
 }
 
 TemporaryFile::TemporaryFile(const Target& target, const std::string& bytes)
     : target_(target.path), folder_(folder_of(target.path)), file_(create()) {
   try {
     // Before the bytes are in it: a private file must not be open to all for a moment.
-    if (target.exists) keep_owner(file_.get(), target.old);
+    if (target.exists) keep_attributes(file_.get(), target);
     write_all(file_.get(), bytes);
     if (::fsync(file_.get()) != 0) throw_errno();
   } catch (...) {

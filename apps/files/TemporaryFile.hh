@@ -14,8 +14,8 @@ namespace whittle::files {
 /// has no name until it is whole, so that not even a killed process leaves it behind. All throw Fault.
 class TemporaryFile {
  public:
-  /// The bytes are on the disk afterwards. An old file's permissions are kept, and where that is allowed its
-  /// owner and group.
+  /// The bytes are on the disk afterwards. What an old file has beside its bytes is kept, as `keep_attributes`
+  /// does.
   TemporaryFile(const Target& target, const std::string& bytes);
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -48,7 +48,8 @@ class TemporaryFile {
 /// system that knows no such thing, is no failure: the files are complete.
 void flush_folder(const std::filesystem::path& folder);
 
-/// Gives a file the permissions of an old one and, where that is allowed, its owner and group.
-void keep_owner(int file, const struct stat& old);
+/// Gives a file the permissions of the old one and, where that is allowed, its owner, group, access control list and
+/// extended attributes.
+void keep_attributes(int file, const Target& target);
 
 }  // namespace whittle::files

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 bool rename_over(const fs::path& from, const Target& target) {
   Descriptor file(::open(from.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) throw_errno();
-  if (target.exists) keep_owner(file.get(), target.old);
+  if (target.exists) keep_attributes(file.get(), target);
   if (std::rename(from.c_str(), target.path.c_str()) != 0) {
     if (errno == EXDEV) return false;
     throw_errno();

@@ -148,6 +148,24 @@ TEST_CASE("a result that would replace another input is refused, one that replac
   CHECK(items_of(at / "in/in", at / "in/in", "").size() == 1);
 }
 
+TEST_CASE("results whose names differ in case only are refused where that makes one file of them") {
+  const scratch::Folder folder;
+  const fs::path in = folder.path() / "in";
+  for (const char* name : {"a.ply", "A.ply", "b.ply"}) touch(in / name);
+  CHECK_THROWS_WITH(list_items(in, folder.path() / "out", "", [](fs::path) { return false; }),
+                    Contains("in/A.ply and") && Contains("in/a.ply would both become") && Contains("case"));
+  CHECK(list_items(in, folder.path() / "out", "", [](fs::path) { return true; }).items.size() == 3);
+  fs::remove(in / "A.ply");
+  CHECK(list_items(in, folder.path() / "out", "", [](fs::path) { return false; }).items.size() == 2);
+}
+
+TEST_CASE("whether case counts is found out in the nearest folder, which is left as it was") {
+  const scratch::Folder folder;
+  touch(folder.path() / "seen.ply");
+  CHECK(case_counts_in(folder.path() / "to/be/made") == !fs::exists(folder.path() / "SEEN.ply"));
+  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
+}
+
 TEST_CASE("a bad folder or manifest is refused in one line that names it") {
   const scratch::Folder folder;
   const auto why = [&](const fs::path& source, const std::string& format) -> std::string {

@@ -1,6 +1,7 @@
 /// \file
 /// Files appear whole or not at all, and nothing is left behind.
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -58,6 +59,33 @@ TEST_CASE("write_file: a new file honours the umask, an old one keeps its bits")
   REQUIRE(::chmod((folder / "new").c_str(), 0604) == 0);
   write_file(folder / "new", "y");
   CHECK(mode_of(folder / "new") == 0604);
+}
+
+TEST_CASE("write_file: an old file keeps its extended attributes, its access control list among them") {
+  const Folder folder;
+  folder.put("a", "old");
+  const fs::path file = folder / "a";
+  if (::setxattr(file.c_str(), "user.scanner", "7", 1, 0) != 0) return tests::skip("extended attributes");
+  // Version 2; then tag, permissions and user each: owner rw, user 65534 r, group none, mask r, others none.
+  const std::string list(
+      "\2\0\0\0"
+      "\1\0\6\0\xff\xff\xff\xff"
+      "\2\0\4\0\xfe\xff\0\0"
+      "\4\0\0\0\xff\xff\xff\xff"
+      "\x10\0\4\0\xff\xff\xff\xff"
+      "\x20\0\0\0\xff\xff\xff\xff",
+      44);
+  const char* const acl = "system.posix_acl_access";
+  const bool has_lists = ::setxattr(file.c_str(), acl, list.data(), list.size(), 0) == 0;
+  write_file(file, "new");
+  CHECK(folder.get("a") == "new");
+  std::string value(100, '\0');
+  CHECK(::getxattr(file.c_str(), "user.scanner", value.data(), value.size()) == 1);
+  CHECK(value[0] == '7');
+  if (!has_lists) return;
+  const ssize_t size = ::getxattr(file.c_str(), acl, value.data(), value.size());
+  CHECK(value.substr(0, size > 0 ? static_cast<std::size_t>(size) : 0) == list);
+  CHECK(mode_of(file) == 0640);
 }
 
 TEST_CASE("write_file: readers that hold the old file keep it") {

@@ -86,3 +86,48 @@ TEST_CASE("bash completes names with blanks and stars as they are") {
   CHECK_THAT(done.out, Contains("[my scan.ply]") && Contains("[my *.ply]") && Contains("[my other.ply]"));
   CHECK(std::count(done.out.begin(), done.out.end(), '\n') == 3);
 }
+
+TEST_CASE("fish completes commands, options, their values, and names with blanks") {
+  const Folder folder;
+  if (shell(folder, "command -v fish >/dev/null").code != 0) return tests::skip("fish");
+  std::ofstream(folder / "my scan.ply") << "";
+  const auto done =
+      shell(folder,
+            "$W completion fish >whittle.fish\n"
+            "HOME=$PWD fish --no-config -c 'source whittle.fish; complete -C \"whittle simp\";"
+            " complete -C \"whittle simplify --rat\"; complete -C \"whittle simplify --driver s\";"
+            " complete -C \"whittle info my\"'");
+  CHECK(done.out == "simplify\n--ratio\nsweep\nmy scan.ply\n");
+}
+
+TEST_CASE("zsh completes from the first time on, names with blanks too") {
+  const Folder folder;
+  if (shell(folder, "command -v zsh >/dev/null").code != 0) return tests::skip("zsh");
+  std::ofstream(folder / "my scan.ply") << "";
+  fs::create_directory(folder / "functions");
+  // A line editor needs a terminal. What each key press leaves on the line is printed by a widget.
+  std::ofstream(folder / "try.zsh") << R"zsh(
+zmodload zsh/zpty
+zpty shell zsh -f -i
+out=
+await() {
+  local i line
+  for i in {1..200}; do
+    zpty -r -t shell line && out+=$line
+    [[ $out == *"$1"* ]] && return
+    sleep 0.05
+  done
+  print -r -- "no $1 in $out"
+}
+zpty -w shell "fpath=($PWD/functions \$fpath); autoload -Uz compinit; compinit -u -D; show() { print -r -- \"<\$BUFFER>\"; BUFFER=; }; zle -N show; bindkey '^G' show; print rea''dy"
+await ready
+try() { zpty -w -n shell "$1"$'\t\C-g'; await "$2" }
+try 'whittle simp' '<whittle simplify'
+try 'whittle simplify --rat' '<whittle simplify --ratio'
+try 'whittle info my' '<whittle info my\ scan.ply'
+print done
+)zsh";
+  const auto done =
+      shell(folder, "$W completion zsh >functions/_whittle\nHOME=$PWD TERM=dumb timeout 60 zsh -f try.zsh");
+  CHECK(done.out == "done\n");
+}

@@ -70,6 +70,15 @@ TEST_CASE("FAD compares neighbouring faces, or every two") {
   CHECK(plan(planner, mesh).collapses.size() == 1);
 }
 
+TEST_CASE("FAD compares every two faces of a vertex of very many, too") {
+  const double far = opposite_angle(100, 0.2);
+  FaceAngle planner = at(far * 0.75);
+  planner.pairs = FaceAngle::Pairs::all;
+  CHECK(plan(planner, meshes::cone(100, 0.2)).collapses.empty());
+  planner.max_normal_angle = far + 0.01;
+  CHECK(removed(plan(planner, meshes::cone(100, 0.2))) == std::vector<std::uint32_t>{0});
+}
+
 TEST_CASE("FAD can ask for some of the angles only") {
   // A cone with one corner pulled down: the four edges next to it are sharper than the other two.
   IndexedMesh mesh = meshes::cone(6, 0.05);
@@ -194,6 +203,7 @@ TEST_CASE("FAD multiplies the angle by the tolerance of the vertex that goes, no
   CHECK(gone(2 * angle - 1e-5, 0.5, 1) == none);
   CHECK(gone(angle + 1e-6, 1, 0) == tip);
   CHECK(gone(100, 1000, 1) == tip);  // 180 degrees is enough for anything
+  CHECK(gone(100, 3.6f, 1) == tip);
 }
 
 TEST_CASE("FAD removes a boundary vertex where the boundary is as flat as its faces, if it may") {
