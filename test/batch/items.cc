@@ -153,7 +153,7 @@ TEST_CASE("results whose names differ in case only are refused where that makes 
   const fs::path in = folder.path() / "in";
   for (const char* name : {"a.ply", "A.ply", "b.ply"}) touch(in / name);
   CHECK_THROWS_WITH(list_items(in, folder.path() / "out", "", [](fs::path) { return false; }),
-                    Contains("in/A.ply and") && Contains("in/a.ply would both become") && Contains("case"));
+                    Contains("in/a.ply and") && Contains("out/a.ply, as case does not count"));
   CHECK(list_items(in, folder.path() / "out", "", [](fs::path) { return true; }).items.size() == 3);
   fs::remove(in / "A.ply");
   CHECK(list_items(in, folder.path() / "out", "", [](fs::path) { return false; }).items.size() == 2);
