@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "experiment/Machine.hh"
 #include "measure/Distance.hh"
 #include "recipe/Recipe.hh"
 #include "recipe/Spec.hh"
@@ -140,6 +141,14 @@ double seconds(const IndexedMesh& mesh, const Work& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// Where and when the times were taken.
+std::string heading() {
+  const auto machine = bench::machine();
+  return "# Growth with valence\n\n" + machine.date_utc + ": " + machine.cpu_model + "; " + machine.compiler +
+         ", `" + machine.flags + "`; commit " + machine.commit +
+         (machine.commit_dirty ? " with changes" : "") + "\n\n";
+}
+
 }  // namespace
 
 std::vector<Shape> shapes(std::size_t n_faces) {
@@ -157,7 +166,8 @@ std::string shapes_page(const std::optional<std::regex>& only, terminal::Progres
   constexpr std::size_t kSmall = 20000, kLarge = 80000;
   constexpr double kTooLong = 30;  // seconds on the small one, after which the large one is left out
   const std::vector<Shape> small = shapes(kSmall), large = shapes(kLarge);
-  std::string page = "| shape | | 20,000 faces, ms | 80,000 faces, ms | ratio |\n|---|---|---:|---:|---:|\n";
+  std::string page =
+      heading() + "| shape | | 20,000 faces, ms | 80,000 faces, ms | ratio |\n|---|---|---:|---:|---:|\n";
   for (std::size_t i = 0; i < small.size(); ++i)
     for (const Work& work : works()) {
       const std::string line = small[i].name + " | " + work.name;
