@@ -67,7 +67,7 @@ class Bound {
 
  private:
   static constexpr std::uint32_t kEnd = 0xffffffffu;
-  static constexpr std::size_t kMany = 64;  // items, of which more are searched by boxes
+  static constexpr std::size_t kMany = 64;  // triangles; around more, boxes are worth building
   /// A face of a vertex's ring.
   struct Place {
     std::uint32_t vertex = kEnd;
@@ -123,7 +123,7 @@ inline bool Bound::assign(Change& change) const {
 inline bool Bound::lies_near(const Change& change) const {
   if (change.moves.empty() || change.triangles.empty()) return true;
   std::optional<BoxTree> tree;
-  if (change.moves.size() > kMany)
+  if (change.triangles.size() > kMany)
     tree.emplace(change.moves.size(),
                  [&](std::size_t i, BoxTree::Box& box) { box.add(points_[change.moves[i].first]); });
   Place hint;
