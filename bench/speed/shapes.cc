@@ -1,5 +1,6 @@
 #include "speed/shapes.hh"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -132,13 +133,21 @@ std::vector<Work> works() {
   return all;
 }
 
-double seconds(const IndexedMesh& mesh, const Work& work) {
+double seconds_once(const IndexedMesh& mesh, const Work& work) {
   const auto begin = std::chrono::steady_clock::now();
   if (work.recipe.modules.empty())
     measure::distance(mesh, mesh);
   else
     recipe::run(mesh, work.recipe);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// The least of five, of which short ones vary much, or the only one where it is long.
+double seconds(const IndexedMesh& mesh, const Work& work) {
+  constexpr double kLong = 1;
+  double least = seconds_once(mesh, work);
+  for (int i = 1; i < 5 && least < kLong; ++i) least = std::min(least, seconds_once(mesh, work));
+  return least;
 }
 
 /// Where and when the times were taken.
