@@ -12,8 +12,7 @@ SeamTransfer::SeamTransfer(const Attribute& in, const Decimation& d)
       d_(d),
       sampler_(in, d.before),
       members_(d.after.points.size(), d.vertex_map.size(), [&](std::size_t v) { return d.vertex_map[v]; }),
-      corners_(d.after.points.size(), 3 * d.after.triangles.size(),
-               [&](std::size_t i) { return d.after.triangles[i / 3][i % 3]; }),
+      corners_(detail::Lists::of_corners(d.after.triangles, d.after.points.size())),
       places_(d.before.points, d.before.triangles, in.corners),
       wedges_(merged_wedges(
           {d.before.triangles, d.after.triangles, d.vertex_map, d.face_origin, d.after.points.size()},

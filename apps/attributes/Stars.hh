@@ -30,8 +30,7 @@ class Stars {
  public:
   Stars() = default;
   explicit Stars(const IndexedMesh& mesh)
-      : lists_(mesh.points.size(), 3 * mesh.triangles.size(),
-               [&](std::size_t i) { return mesh.triangles[i / 3][i % 3]; }) {}
+      : lists_(detail::Lists::of_corners(mesh.triangles, mesh.points.size())) {}
 
   /// Of one vertex, ascending.
   std::vector<std::uint32_t> of(std::uint32_t v) const {

@@ -33,6 +33,7 @@ Json raised_json(const recipe::Result& result) {
           {"faces_that_cannot_vanish", attainable.minimum},
           {"pieces", attainable.pieces},
           {"small_pieces", attainable.small},
+          {"charts_kept", attainable.charts},
           {"vertices_held", attainable.held}};
 }
 

@@ -1,19 +1,39 @@
 #include "recipe/pieces.hh"
 
+#include <algorithm>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "files/subset.hh"
+#include "whittle/surface/charts.hh"
 
 namespace whittle::recipe {
+namespace {
+
+/// The charts of which no stage takes the last face; none where a chart may vanish, or where seams stay as they are.
+std::vector<ChartSize> kept_charts(const Task& task) {
+  const auto moves = [](const Stage& stage) { return moves_seams(stage.module); };
+  const auto keeps = [&](const Stage& stage) {
+    return !moves(stage) || !find_module(stage.module.name).find("charts") ||
+           stage.module.word("charts") == "keep";
+  };
+  const auto& stages = task.stages;
+  if (task.extras.wedges.empty() || !std::any_of(stages.begin(), stages.end(), moves) ||
+      !std::all_of(stages.begin(), stages.end(), keeps))
+    return {};
+  return chart_sizes(charts(task.mesh.triangles, task.extras.wedges), task.mesh.triangles);
+}
+
+}  // namespace
 
 detail::PieceChoice choose_pieces(const Recipe& recipe, Task& task) {
   whittle::PieceRule rule;
   rule.by_error = recipe.pieces.what == PieceRule::What::by_error;
   if (recipe.pieces.what == PieceRule::What::below) rule.below = recipe.pieces.length.in(task.scale);
   detail::PieceChoice choice =
-      detail::choose_pieces(task.mesh, task.extras, rule, flags_that_hold(task.stages), task.target,
-                            recipe.force, std::thread::hardware_concurrency());
+      detail::choose_pieces(task.mesh, task.extras, rule, flags_that_hold(task.stages), kept_charts(task),
+                            task.target, recipe.force, std::thread::hardware_concurrency());
   choice.lock(task.extras.flags);
   task.target = choice.target_with_pieces();
   return choice;

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "whittle/openmesh/attributes.hh"
+#include "whittle/surface/constants.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle {
@@ -110,7 +111,8 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   void preprocess_collapse(const CollapseInfo& ci) override { attributes_.before(Base::mesh(), ci.v0v1); }
   void postprocess_collapse(const CollapseInfo& ci) override {
     quadrics_[index(ci.v1)] += quadrics_[index(ci.v0)];
-    attributes_.after(Base::mesh(), ci.v0, ci.v1, false);
+    attributes_.merge(Base::mesh(), ci.v0, ci.v1, false);
+    attributes_.sample(Base::mesh(), ci.v1);
   }
 
   void set_error_tolerance_factor(double factor) override {
@@ -170,7 +172,7 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
   static constexpr std::size_t kMany = 64;  // faces, of which a vertex with more is a hub
   double max_err_ = std::numeric_limits<double>::max();
-  double boundary_weight_ = 10, seam_weight_ = 0.4, min_cos_ = 0.2;
+  double boundary_weight_ = 10, seam_weight_ = detail::kSeamWeight, min_cos_ = 0.2;
   bool keeps_charts_ = false;
   OpenMesh::VPropHandleT<float> weight_;
   std::vector<Quadric> quadrics_;  // of each vertex
@@ -193,7 +195,8 @@ void ModGuardedQuadricT<MeshT>::initialize() {
     for (const auto h : mesh.halfedges())
       if (mesh.is_boundary(h)) add_edge(mesh.opposite_halfedge_handle(h), boundary_weight_);
   attributes_ = {};
-  if (!Base::is_binary()) attributes_.take_snapshot(mesh, detail::Survivors::stay);
+  if (!Base::is_binary())
+    attributes_.take_snapshot(mesh, detail::corner_numbers(mesh), detail::Survivors::stay);
   if (seam_weight_ > 0 && !attributes_.seams().empty())
     for (const auto h : mesh.halfedges())
       if (attributes_.seams().is_seam(mesh.edge_handle(h))) add_edge(h, seam_weight_ / 2);

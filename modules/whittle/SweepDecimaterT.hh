@@ -54,7 +54,7 @@ class SweepDecimaterT : public DriverT<MeshT> {
       if (n + ahead.kAhead < collapses.size()) announce(collapses[n + ahead.kAhead], ahead);
       this->execute_planned(n, collapses[n].faces, find(collapses[n]), one_by_one);
     }
-    if (!one_by_one) this->planned()->after_collapses(n);
+    this->planned()->after_collapses(n);
   }
 
   /// Asks other modules and tests legality.

@@ -142,7 +142,9 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   const std::vector<std::uint8_t> flags = extras.flags;
   extras = detail::checked(mesh, std::move(extras));
   const detail::SeamRecord seams(mesh, extras.wedges);
-  const detail::PieceChoice pieces = detail::choose_pieces(ready, mesh, extras, seams, options, target);
+  const std::vector<ChartSize> kept =
+      detail::keeps_charts(ready) ? chart_sizes(seams.charts, mesh.triangles) : std::vector<ChartSize>();
+  const detail::PieceChoice pieces = detail::choose_pieces(ready, mesh, extras, seams, kept, options, target);
   const TargetCount way = pieces.target_with_pieces();
   const auto enough = [&](const auto& stages) { return way.is_met(stages.n_faces(), stages.n_vertices()); };
   const CollapsePlan plan =

@@ -37,6 +37,7 @@ class FourVectors {
     return {a.x_ - b.x_, a.y_ - b.y_, a.z_ - b.z_};
   }
   friend FourVectors operator*(const Four& s, const FourVectors& a) { return {s * a.x_, s * a.y_, s * a.z_}; }
+  friend FourVectors operator/(const FourVectors& a, const Four& s) { return {a.x_ / s, a.y_ / s, a.z_ / s}; }
   Four dot(const FourVectors& b) const { return x_ * b.x_ + (y_ * b.y_ + z_ * b.z_); }
   Four squaredNorm() const { return dot(*this); }
   FourVectors cross(const FourVectors& b) const {
@@ -52,17 +53,20 @@ using FourMatrices = SymmetricMatrixOf<FourVectors>;
 /// The square of a shorter vector is not told from 0 in float.
 constexpr float kLeastLength = 1e-18f;
 
-/// 1 / |v| for vectors with these squared lengths; at most 1 / `kLeastLength`.
-EIGEN_ALWAYS_INLINE Four reciprocal_lengths(const Four& squares) {
+EIGEN_ALWAYS_INLINE Four square_roots(const Four& squares) {
   // Not by `squares.sqrt()`, which is an approximation that differs between processors.
 #if defined(__SSE__)
-  Four lengths;
-  _mm_storeu_ps(lengths.data(), _mm_sqrt_ps(_mm_loadu_ps(squares.data())));
+  Four roots;
+  _mm_storeu_ps(roots.data(), _mm_sqrt_ps(_mm_loadu_ps(squares.data())));
+  return roots;
 #else
-  const Four lengths(std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2]),
-                     std::sqrt(squares[3]));
+  return {std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2]), std::sqrt(squares[3])};
 #endif
-  return 1 / lengths.max(kLeastLength);
+}
+
+/// 1 / |v| for vectors with these squared lengths; at most 1 / `kLeastLength`.
+EIGEN_ALWAYS_INLINE Four reciprocal_lengths(const Four& squares) {
+  return 1 / square_roots(squares).max(kLeastLength);
 }
 
 /// Four rows of four floats to four columns, or back.
@@ -95,6 +99,10 @@ EIGEN_ALWAYS_INLINE FourMatrices gathered(const std::array<const SymmetricMatrix
   return {first[0], first[1], first[2], first[3], last[2], last[3]};
 }
 
+/// One of the four matrices.
+inline SymmetricMatrix one_of(const FourMatrices& m, Eigen::Index lane) {
+  return {m.xx[lane], m.xy[lane], m.xz[lane], m.yy[lane], m.yz[lane], m.zz[lane]};
+}
 /// The four matrices one by one.
 EIGEN_ALWAYS_INLINE std::array<SymmetricMatrix, 4> apart(const FourMatrices& m) {
   const Eigen::Matrix4f head = transposed(m.xx, m.xy, m.xz, m.yy);

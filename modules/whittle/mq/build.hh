@@ -79,7 +79,7 @@ inline void add_face(Mesh& mesh, Corner f, SymmetricMatrix quadric) {
     const auto term = values.term(mesh.position(f), mesh.position(f + 1), mesh.position(f + 2), values.at(a),
                                   values.at(b), values.at(c));
     quadric += term.form;
-    for (const std::uint32_t v : face.vertex) values.add(v, term, 1);
+    for (const std::uint32_t v : face.vertex) values.add(v, term);
   }
   for (const std::uint32_t v : face.vertex) mesh.quadrics[v] += quadric;
   if (face.twin[0] != kNoCorner && face.twin[1] != kNoCorner && face.twin[2] != kNoCorner) return;

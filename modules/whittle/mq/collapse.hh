@@ -64,30 +64,49 @@ inline void update_values(Mesh& mesh, Corner c, const Vec& target, float along, 
   Values& values = mesh.values;
   const std::uint32_t to = table.vertex(c), from = table.vertex(next(c));
   const auto merged = values.between(to, from, std::clamp(along, 0.0f, 1.0f));
-  const auto add = [&](std::uint32_t v, const Values::Term& term, float factor) {
-    mesh.quadrics[v] += factor * term.form;
-    values.add(v, term, factor);
+  const auto add = [&](std::uint32_t v, const Values::Term& term) {
+    mesh.quadrics[v] += term.form;
+    values.add(v, term);
   };
-  const auto term_of = [&](Corner at, const Vec& p, const float* value) {
-    const Corner q = next(at), r = previous(at);
-    return values.term(p, mesh.position(q), mesh.position(r), value, values.at(table.vertex(q)),
-                       values.at(table.vertex(r)));
+  const auto subtract = [&](std::uint32_t v, const Values::Term& term) {
+    mesh.quadrics[v] -= term.form;
+    values.subtract(v, term);
   };
+  const auto position = [&](std::uint32_t v) -> const Vec& { return mesh.vertices[v].position; };
   for (const Corner side : {c, table.twin(c)}) {
     if (side == kNoCorner) continue;
-    const Corner tip = previous(side);
-    add(table.vertex(tip), term_of(tip, mesh.position(tip), values.at(table.vertex(tip))), -1);
+    const std::uint32_t tip = table.vertex(previous(side)), p = table.vertex(side),
+                        q = table.vertex(next(side));
+    subtract(tip, values.term(position(tip), position(p), position(q), values.at(tip), values.at(p),
+                              values.at(q)));
   }
-  Values::Term sum;
-  for (const auto& side : worker.ring) {
-    const auto before =
-        term_of(side.corner, mesh.position(side.corner), values.at(table.vertex(side.corner)));
-    const auto after = term_of(side.corner, target, merged.data());
-    for (const std::uint32_t w : {side.from, side.to}) {
-      add(w, before, -1);
-      add(w, after, 1);
+  const Vertex moved{target, 0};
+  Values::Term sum = values.no_term();
+  std::array<Values::Term, 4> before, after;
+  for (std::size_t i = 0; i < worker.ring.size(); i += 4) {
+    Values::FourFaces faces;
+    const EdgeRing::Side* const sides = worker.ring.begin() + i;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const EdgeRing::Side& side = sides[i + k < worker.ring.size() ? k : 0];
+      const std::uint32_t p = i + k < worker.ring.n_at_start() ? to : from;
+      faces.p[k] = position(p).data();
+      faces.q[k] = position(side.from).data();
+      faces.r[k] = position(side.to).data();
+      faces.at_p[k] = values.at(p);
+      faces.at_q[k] = values.at(side.from);
+      faces.at_r[k] = values.at(side.to);
     }
-    Values::add(sum, after);
+    values.terms(faces, before);
+    faces.p.fill(moved.position.data());
+    faces.at_p.fill(merged.data());
+    values.terms(faces, after);
+    for (std::size_t k = 0; k < std::min<std::size_t>(4, worker.ring.size() - i); ++k) {
+      for (const std::uint32_t w : {sides[k].from, sides[k].to}) {
+        subtract(w, before[k]);
+        add(w, after[k]);
+      }
+      values.add(sum, after[k]);
+    }
   }
   own += sum.form;
   values.set(to, merged, sum);

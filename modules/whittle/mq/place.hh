@@ -21,10 +21,9 @@ struct Placement {
 };
 using Placements = std::array<Placement, 4>;
 
-/// Four edges by their vertices, with the quadrics there.
+/// Four edges by their vertices.
 struct FourEdges {
   std::array<std::uint32_t, 4> start, end;
-  std::array<const SymmetricMatrix*, 4> at_start, at_end;
 };
 
 /// At the end that is held, or in the middle.
@@ -38,14 +37,10 @@ inline Placement safe_place(const Vec& e, Hold a, Hold b, const SymmetricMatrix&
 
 /// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
 /// slight pull to the middle that decides where the planes leave a direction open.
-inline Placements best_places(const Mesh& mesh, const FourEdges& edges) {
-  std::array<const float*, 4> starts, ends;
-  for (std::size_t i = 0; i < 4; ++i) {
-    starts[i] = mesh.vertices[edges.start[i]].position.data();
-    ends[i] = mesh.vertices[edges.end[i]].position.data();
-  }
-  const FourVectors e = gathered(ends) - gathered(starts);
-  const FourMatrices at_b = gathered(edges.at_end), sum = gathered(edges.at_start) + at_b;
+/// \param e  the edges, from their starts
+inline Placements best_places(const Mesh& mesh, const FourEdges& edges, const FourVectors& e,
+                              const FourMatrices& at_a, const FourMatrices& at_b) {
+  const FourMatrices sum = at_a + at_b;
   const FourVectors pull_b = at_b * e;
   const Four pull = 1e-5f * sum.trace();
   const FourVectors middle = Four(0.5f) * e;
@@ -67,7 +62,7 @@ inline Placements best_places(const Mesh& mesh, const FourEdges& edges) {
       const Hold a = mesh.hold(start, end), b = mesh.hold(end, start);
       if (a + b != kFree || !(least[k] > 0 && far[k] >= 0))
         placements[i] = safe_place(mesh.vertices[end].position - mesh.vertices[start].position, a, b,
-                                   *edges.at_start[i], *edges.at_end[i]);
+                                   one_of(at_a, k), one_of(at_b, k));
       if (!mesh.weights.empty()) placements[i].cost *= std::max(mesh.weights[start], mesh.weights[end]);
     }
   return placements;
@@ -76,22 +71,25 @@ inline Placements best_places(const Mesh& mesh, const FourEdges& edges) {
 /// Places four edges at once, which takes hardly longer than one; some may be the same.
 inline Placements place(const Mesh& mesh, const std::array<Corner, 4>& corners) {
   FourEdges edges;
+  std::array<const float*, 4> starts, ends;
+  std::array<const SymmetricMatrix*, 4> at_start, at_end;
   for (std::size_t i = 0; i < 4; ++i) {
     const std::uint32_t a = mesh.table.vertex(corners[i]), b = mesh.table.vertex(next(corners[i]));
     edges.start[i] = a;
     edges.end[i] = b;
-    edges.at_start[i] = &mesh.quadrics[a];
-    edges.at_end[i] = &mesh.quadrics[b];
+    starts[i] = mesh.vertices[a].position.data();
+    ends[i] = mesh.vertices[b].position.data();
+    at_start[i] = &mesh.quadrics[a];
+    at_end[i] = &mesh.quadrics[b];
   }
-  if (mesh.values.empty()) return best_places(mesh, edges);
-  std::array<SymmetricMatrix, 8> sums;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::uint32_t a = edges.start[i], b = edges.end[i];
-    const Vec e = mesh.edge(corners[i]);
-    edges.at_start[i] = &(sums[i] = mesh.quadrics[a] + mesh.values.along(a, b, e, a));
-    edges.at_end[i] = &(sums[4 + i] = mesh.quadrics[b] + mesh.values.along(a, b, e, b));
+  const FourVectors e = gathered(ends) - gathered(starts);
+  FourMatrices at_a = gathered(at_start), at_b = gathered(at_end);
+  if (!mesh.values.empty()) {
+    const auto along = mesh.values.along(edges.start, edges.end, e);
+    at_a += along[0];
+    at_b += along[1];
   }
-  return best_places(mesh, edges);
+  return best_places(mesh, edges, e, at_a, at_b);
 }
 
 /// Prefetches the memory that `place` will read.

@@ -22,6 +22,7 @@
 #include "whittle/planners/PieceChoice.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
+#include "whittle/surface/charts.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle {
@@ -157,6 +158,13 @@ Planner with_options(Planner planner, const DecimateOptions& options, const Targ
   return planner;
 }
 
+/// Whether a planner leaves each chart a face: what merges along seams does, unless it says otherwise.
+template <typename Planner>
+bool keeps_charts(const Planner& planner) {
+  if constexpr (takes_target<Planner>::value) return planner.keep_charts;
+  return moves_seams(planner);
+}
+
 template <typename Planner>
 std::size_t passes_of(const DecimateOptions& options, const TargetCount& target) {
   if (options.passes > 0) return options.passes;
@@ -176,13 +184,14 @@ void add_locks(const IndexedMeshT<Real>& mesh, const DecimateOptions& options,
 
 /// Chooses the pieces that vanish and the target of the others, and locks those that vanish.
 /// \param extras  with flags for every vertex
+/// \param kept    charts of which none loses its last face
 template <typename Planner, typename Real>
 PieceChoice choose_pieces(const Planner& planner, const IndexedMeshT<Real>& mesh, SurfaceExtras& extras,
-                          const SeamRecord& seams, const DecimateOptions& options,
-                          const TargetCount& target) {
+                          const SeamRecord& seams, const std::vector<ChartSize>& kept,
+                          const DecimateOptions& options, const TargetCount& target) {
   const std::vector<std::uint8_t> flags = extras.flags;
   if (!moves_seams(planner)) seams.add_flags(extras.flags);
-  PieceChoice choice = choose_pieces(mesh, extras, options.pieces, kLocked | kFeature | kSeam, target,
+  PieceChoice choice = choose_pieces(mesh, extras, options.pieces, kLocked | kFeature | kSeam, kept, target,
                                      options.force, options.threads);
   extras.flags = flags;
   choice.lock(extras.flags);
@@ -216,6 +225,8 @@ inline void conclude(const TargetCount& target, DecimateReport& report) {
         " faces cannot vanish, and the rest keeps its share of the target unless DecimateOptions::force");
     reasons.add(report.attainable.small,
                 " small pieces keep up to four faces each unless DecimateOptions::pieces");
+    reasons.add(report.attainable.charts,
+                " charts keep a face each unless DecimateOptions::keep_charts is off");
   }
   reasons.add(report.held, " vertices are locked or features");
   reasons.add(report.seams, " vertices lie on seams");

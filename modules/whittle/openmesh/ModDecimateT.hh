@@ -58,8 +58,9 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
   /// Fills in what the mesh held, and which charts have no face left.
   void count(bool seams_move, DecimateReport& report) {
     std::vector<std::uint32_t> left;
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (!this->mesh().status(faces_[i]).deleted()) left.push_back(static_cast<std::uint32_t>(i));
+    if (!seams_.empty())
+      for (const auto f : this->mesh().faces())  // without deleted ones
+        left.push_back(static_cast<std::uint32_t>(f.idx()));
     detail::count(flags_, seams_, seams_move, left, report);
   }
 
@@ -73,10 +74,12 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
     if (options_->weight.is_valid()) add_weights(mesh, extras.tolerance);
     add_values(mesh, options_->values, extras);
     flags_ = extras.flags;
-    seams_ = SeamRecord(indexed, extras.wedges);
-    faces_.clear();
-    if (seams_.charts.count > 0)
-      for (const auto f : mesh.faces()) faces_.push_back(f);  // without deleted ones
+    seams_ = {};
+    if (const auto& seams = this->attributes().seams(); !seams.empty()) {
+      seams_.charts = this->attributes().charts();
+      for (std::size_t v = 0; v < mesh.n_vertices(); ++v)
+        seams_.on_seam.push_back(seams.is_on_seam(typename MeshT::VertexHandle(static_cast<int>(v))));
+    }
     choose(mesh, indexed, extras);
   }
 
@@ -89,7 +92,10 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
         mesh.n_vertices() - static_cast<std::size_t>(std::distance(living.begin(), living.end()));
     TargetCount target = target_;
     if (target.vertices > 0) target.vertices += n_deleted;
-    choice_ = choose_pieces(this->planner(), indexed, extras, seams_, *options_, target);
+    std::vector<ChartSize> kept;
+    if (!seams_.empty() && keeps_charts(this->planner()))
+      kept = chart_sizes(seams_.charts, this->attributes().input().triangles);
+    choice_ = choose_pieces(this->planner(), indexed, extras, seams_, kept, *options_, target);
     target_ = choice_.target_with_pieces();
     if (target_.vertices > 0) target_.vertices -= n_deleted;
     this->set_enough(target_.faces, target_.vertices);
@@ -112,8 +118,7 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
   TargetCount target_;
   PieceChoice choice_;
   std::vector<std::uint8_t> flags_;
-  SeamRecord seams_;
-  std::vector<typename MeshT::FaceHandle> faces_;  // of the input, if it has seams
+  SeamRecord seams_;  // its charts are those of the mesh's faces, deleted ones included
 };
 
 }  // namespace whittle::detail

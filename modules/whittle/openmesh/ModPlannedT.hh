@@ -2,16 +2,15 @@
 /// What all of Whittle's decimater modules share: a plan, looked up collapse by collapse.
 #pragma once
 
-#include <Eigen/Core>
 #include <OpenMesh/Core/Utils/Property.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "whittle/openmesh/PlanExecutionT.hh"
 #include "whittle/openmesh/PlannedModule.hh"
 #include "whittle/openmesh/SnapshotT.hh"
 #include "whittle/openmesh/attributes.hh"
@@ -127,10 +126,14 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   /// \throw InvalidParameter  a tolerance is negative or not finite.
   void initialize() override {
     const MeshT& mesh = this->mesh();
+    forget();
+    holds_survivor_ = false;
     detail::SnapshotT<MeshT> snapshot(mesh);
     SurfaceExtras extras;
     extras.flags = snapshot.flags();
-    extras.wedges = detail::corner_wedges(mesh);
+    const std::vector<std::uint32_t> numbers = detail::corner_numbers(mesh);
+    extras.wedges = detail::corner_wedges(mesh, numbers);
+    attributes_.take_snapshot(mesh, numbers);
     if (tolerance_.is_valid()) {
       extras.tolerance.assign(mesh.n_vertices(), 1);
       for (const auto v : mesh.vertices())
@@ -144,13 +147,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     Planner planner = planner_.scaled(this->error_tolerance_factor_);
     if constexpr (detail::takes_target<Planner>::value)
       if (planner.target_vertices > 0) planner.target_vertices += snapshot.n_deleted();
-    plan_ = detail::plan_mesh(planner, snapshot.indexed(), std::move(extras), passes_, threads_, enough).plan;
-    rank_.assign(mesh.n_vertices(), kNotPlanned);
-    for (std::size_t i = 0; i < plan_.collapses.size(); ++i)
-      rank_[plan_.collapses[i].from] = static_cast<std::uint32_t>(i);
-    executed_.assign(plan_.collapses.size(), false);
-    placed_by_.assign(mesh.n_vertices(), 0);
-    attributes_.take_snapshot(mesh);
+    execution_ = {
+        detail::plan_mesh(planner, snapshot.indexed(), std::move(extras), passes_, threads_, enough).plan,
+        mesh.n_vertices()};
     n_planned_vertices_ = mesh.n_vertices();
     snapshot.drop_points();
     snapshot_ = std::move(snapshot);
@@ -158,7 +157,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
 
   const CollapsePlan& plan() override {
     if (n_planned_vertices_ != this->mesh().n_vertices()) initialize();
-    return plan_;
+    return execution_.plan();
   }
 
   bool has_end() const override { return detail::has_end(planner_); }
@@ -167,48 +166,51 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   float collapse_priority(const CollapseInfo& ci) override {
-    const Collapse* collapse = planned(ci);
-    if (!collapse || !seams_allow(ci.v0v1)) return float(ModBase::ILLEGAL_COLLAPSE);
-    return this->is_binary() ? float(ModBase::LEGAL_COLLAPSE) : priority(rank_[collapse->from]);
+    const std::uint32_t rank = planned_rank(ci);
+    if (rank == Execution::kNotPlanned || !seams_allow(ci.v0v1)) return float(ModBase::ILLEGAL_COLLAPSE);
+    return this->is_binary() ? float(ModBase::LEGAL_COLLAPSE) : priority(rank);
   }
 
   void preprocess_collapse(const CollapseInfo& ci) override {
-    if (planned(ci)) before_collapse(ci.v0v1.idx());
+    if (planned_rank(ci) != Execution::kNotPlanned) before_collapse(ci.v0v1.idx());
   }
   void postprocess_collapse(const CollapseInfo& ci) override {
+    const std::uint32_t rank = planned_rank(ci);
+    if (rank == Execution::kNotPlanned) return;
     // The decimater has refreshed the normals around the survivor, but not where it lies now.
-    if (const Collapse* collapse = planned(ci))
-      if (settle(rank_[collapse->from])) refresh_normals(ci.v1);
+    if (settle(rank)) refresh_normals(ci.v1);
+    attributes_.sample(this->mesh(), ci.v1);
   }
 
   void after_collapses(std::size_t n) override {
-    for (std::size_t rank = 0; rank < n; ++rank) {
-      executed_[rank] = true;
-      place_survivor(rank);
-    }
+    if (!watches_collapses())
+      for (std::size_t rank = 0; rank < n; ++rank) settle(rank);
+    attributes_.sample_all(this->mesh());
+    if (!this->mesh().has_face_normals()) return;
+    std::vector<bool> is_survivor(this->mesh().n_vertices(), false);
+    for (std::size_t rank = 0; rank < n; ++rank) is_survivor[execution_.collapse(rank).to] = true;
+    for (std::uint32_t v = 0; v < is_survivor.size(); ++v)
+      if (is_survivor[v] && !this->mesh().status(vertex(v)).deleted()) refresh_normals(vertex(v));
   }
 
   bool is_fresh() const override { return n_planned_vertices_ != kNoPlan && snapshot_.is_of(mesh_ref()); }
 
-  bool watches_collapses() const override { return mesh_ref().has_face_normals() || !attributes_.empty(); }
+  bool watches_collapses() const override { return !attributes_.seams().empty(); }
   void before_collapse(int halfedge) override {
     const typename MeshT::HalfedgeHandle h(halfedge);
     holds_survivor_ = !attributes_.seams().empty() && attributes_.seams().hold(this->mesh(), h);
     attributes_.before(this->mesh(), h);
   }
-  void after_collapse(std::size_t rank) override {
-    settle(rank);
-    refresh_normals(vertex(plan_.collapses[rank].to));
-  }
+  void after_collapse(std::size_t rank) override { settle(rank); }
 
   /// What has become of the plan. Ask before garbage collection, while the mesh has vertex and edge status.
   PlanOutcome outcome() {
     PlanOutcome out;
     out.planned = plan().collapses.size();
     for (std::size_t i = 0; i < out.planned; ++i) {
-      const auto edge =
-          this->mesh().find_halfedge(vertex(plan_.collapses[i].from), vertex(plan_.collapses[i].to));
-      if (executed_[i])
+      const Collapse& collapse = execution_.collapse(i);
+      const auto edge = this->mesh().find_halfedge(vertex(collapse.from), vertex(collapse.to));
+      if (execution_.is_executed(i))
         ++out.executed;
       else if (!edge.is_valid())
         ++out.apart;
@@ -224,11 +226,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   /// before garbage collection.
   std::vector<int> vertex_map() {
     plan();
-    std::vector<int> map(this->mesh().n_vertices());
-    std::iota(map.begin(), map.end(), 0);
-    for (std::size_t i = plan_.collapses.size(); i-- > 0;)
-      if (executed_[i]) map[plan_.collapses[i].from] = map[plan_.collapses[i].to];
-    return map;
+    return execution_.vertex_map();
   }
 
   void set_error_tolerance_factor(double factor) override {
@@ -241,6 +239,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   /// Adds what else the planner is to know of the mesh; `extras.flags` has what the user said of each vertex.
   virtual void describe(const MeshT& /*mesh*/, const IndexedMeshT<typename MeshT::Scalar>& /*indexed*/,
                         SurfaceExtras& /*extras*/) {}
+
+  /// The mesh's attributes, from the beginning of `initialize()` on.
+  const detail::SurvivorAttributesT<MeshT>& attributes() const { return attributes_; }
 
   /// Plans no further pass once so few faces or vertices are left.
   void set_enough(std::size_t faces, std::size_t vertices) {
@@ -261,8 +262,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
  private:
-  using Point = Eigen::Matrix<typename MeshT::Scalar, 3, 1>;
-  static constexpr std::uint32_t kNotPlanned = 0xffffffffu;
+  using Execution = detail::PlanExecutionT<MeshT>;
   static constexpr std::size_t kNoPlan = ~std::size_t{0};
 
   static typename MeshT::VertexHandle vertex(std::uint32_t v) {
@@ -274,13 +274,12 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     return attributes_.seams().empty() || attributes_.seams().allow_planned(this->mesh(), h);
   }
 
-  /// Moves the survivor of a collapse that has been executed to its place, with its attributes.
+  /// After a collapse: the survivor comes to its place, and takes its values later.
   /// \return whether it has moved
   bool settle(std::size_t rank) {
-    executed_[rank] = true;
-    const bool moved = place_survivor(rank);
-    const Collapse& collapse = plan_.collapses[rank];
-    attributes_.after(this->mesh(), vertex(collapse.from), vertex(collapse.to), moved);
+    const bool moved = execution_.settle(this->mesh(), rank, holds_survivor_);
+    const Collapse& collapse = execution_.collapse(rank);
+    attributes_.merge(this->mesh(), vertex(collapse.from), vertex(collapse.to), moved);
     return moved;
   }
 
@@ -292,59 +291,9 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
 
   const MeshT& mesh_ref() const { return const_cast<ModPlannedT*>(this)->ModBase::mesh(); }
 
-  const Collapse* planned(const CollapseInfo& ci) {
+  std::uint32_t planned_rank(const CollapseInfo& ci) {
     plan();
-    const std::uint32_t rank = rank_[static_cast<std::size_t>(ci.v0.idx())];
-    if (rank == kNotPlanned || plan_.collapses[rank].to != static_cast<std::uint32_t>(ci.v1.idx()))
-      return nullptr;
-    return &plan_.collapses[rank];
-  }
-
-  /// Moves the survivor of a collapse that has been executed to where its cluster, or the part of it that has
-  /// merged by now, belongs.
-  /// \return whether it has moved
-  bool place_survivor(std::size_t rank) {
-    const Collapse& collapse = plan_.collapses[rank];
-    const auto v0 = vertex(collapse.from), v1 = vertex(collapse.to);
-    // A decimater that does not go by rank may come to a stage's collapse after those of a later stage.
-    const auto last = static_cast<std::uint32_t>(rank) + collapse.rest;
-    std::uint32_t& placed_by = placed_by_[collapse.to];
-    if (last < placed_by) return false;
-    placed_by = last;
-
-    auto& mesh = this->mesh();
-    auto p = mesh.point(v1);
-    const Point before(p[0], p[1], p[2]);
-    Point after = collapse.target.template cast<typename MeshT::Scalar>();
-    if (const std::size_t merged = n_merged(rank); merged > 0) {
-      const auto& from = mesh.point(v0);
-      after = detail::place_of_part<typename MeshT::Scalar>(before, {from[0], from[1], from[2]},
-                                                            collapse.target, merged);
-    }
-    const bool is_held = mesh.has_vertex_status() && (mesh.status(v1).locked() || mesh.status(v1).feature());
-    if (after == before || is_held) return false;  // it may have been locked since the plan was made
-    if (holds_survivor_ && is_off(v0, before, after)) return false;
-    for (std::uint32_t i = 0; i < 3; ++i) p[i] = after[i];
-    mesh.set_point(v1, p);
-    return true;
-  }
-
-  /// Whether the target of a survivor that a seam holds is elsewhere, by more than the planner's rounding.
-  bool is_off(typename MeshT::VertexHandle from, const Point& before, const Point& after) {
-    constexpr auto kRounding = static_cast<typename MeshT::Scalar>(0.1);  // of the edge
-    const auto& p = this->mesh().point(from);
-    return (after - before).norm() > kRounding * (Point(p[0], p[1], p[2]) - before).norm();
-  }
-
-  /// How many vertices of a cluster its survivor stands for, itself included; 0 if that is all of them.
-  std::size_t n_merged(std::size_t rank) const {
-    const auto& collapses = plan_.collapses;
-    const std::size_t last = rank + collapses[rank].rest;
-    std::size_t first = rank;
-    while (first > 0 && collapses[first - 1].rest > 0) --first;
-    std::size_t executed = 0;
-    for (std::size_t i = first; i <= last; ++i) executed += executed_[i];
-    return executed == last - first + 1 ? 0 : executed + 1;
+    return execution_.rank(ci.v0, ci.v1);
   }
 
   /// A float for a rank. As numbers, floats are exact to 2^24 only; positive floats are ordered as their bits
@@ -362,12 +311,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   std::size_t passes_ = 1, threads_ = 0;
   std::size_t enough_faces_ = 0, enough_vertices_ = 0;
   OpenMesh::VPropHandleT<float> tolerance_;
-  CollapsePlan plan_;
-  std::vector<std::uint32_t> rank_;    // of the collapse that removes a vertex
-  std::vector<bool> executed_;         // for each collapse of the plan
+  Execution execution_;
   detail::SnapshotT<MeshT> snapshot_;  // of the mesh when the plan was made
-  // For each survivor the last rank of the latest cluster that has moved it.
-  std::vector<std::uint32_t> placed_by_;
   detail::SurvivorAttributesT<MeshT> attributes_;
   bool holds_survivor_ = false;  // a seam does, in the collapse that is under way
   std::size_t n_planned_vertices_ = kNoPlan;

@@ -5,11 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
-#include "whittle/openmesh/describe.hh"
-#include "whittle/surface/UnionFind.hh"
+#include "whittle/openmesh/InputFaces.hh"
+#include "whittle/surface/charts.hh"
 
 namespace whittle::detail {
 
@@ -23,8 +22,10 @@ class MovingSeamsT {
   using HalfedgeHandle = typename Mesh::HalfedgeHandle;
   using EdgeHandle = typename Mesh::EdgeHandle;
 
-  /// From now on, the seams are those of the mesh's texture coordinates as they are.
-  void take_snapshot(const Mesh& mesh);
+  MovingSeamsT() = default;  ///< none
+  /// The seams of a mesh as it is.
+  /// \param input  the same mesh; with wedges
+  MovingSeamsT(const Mesh& mesh, const InputFaces& input, const Charts& charts);
 
   bool empty() const { return is_seam_.empty(); }  ///< whether there was none
   bool is_seam(EdgeHandle e) const { return is_seam_[index(e)] != 0; }
@@ -49,15 +50,15 @@ class MovingSeamsT {
   template <typename Visit>
   void for_each_corner(const Mesh& mesh, VertexHandle v, Visit visit) const;
 
+  /// Calls `visit(half-edge)` for those that start at `v`, in the same order; from an open one on if there is one.
+  template <typename Visit>
+  static void for_each_spoke(const Mesh& mesh, VertexHandle v, Visit visit);
+
  private:
   template <typename Handle>
   static std::size_t index(Handle h) {
     return static_cast<std::size_t>(h.idx());
   }
-  /// The half-edges from `v`, one after the other, from an open one on if there is one.
-  template <typename Visit>
-  static void for_each_spoke(const Mesh& mesh, VertexHandle v, Visit visit);
-
   bool is_seam(const Mesh& mesh, HalfedgeHandle h) const { return is_seam(mesh.edge_handle(h)); }
   static bool is_open(const Mesh& mesh, HalfedgeHandle h) {
     return mesh.is_boundary(h) || mesh.is_boundary(mesh.opposite_halfedge_handle(h));
@@ -68,7 +69,6 @@ class MovingSeamsT {
   }
   bool is_chart(const Mesh& mesh, HalfedgeHandle h) const;
   bool closes_slit(const Mesh& mesh, HalfedgeHandle v0v1) const;
-  void mark_slits(const Mesh& mesh);
 
   std::vector<std::uint8_t> is_seam_;  // of each edge; empty if none is
   std::vector<std::uint32_t> count_;   // of each vertex: how many of its edges are seams
@@ -86,49 +86,21 @@ void MovingSeamsT<Mesh>::for_each_spoke(const Mesh& mesh, VertexHandle v, Visit 
 }
 
 template <typename Mesh>
-void MovingSeamsT<Mesh>::take_snapshot(const Mesh& mesh) {
-  *this = {};
-  if (!has_corner_attributes(mesh)) return;
-  std::vector<std::uint8_t> is_seam(mesh.n_edges(), 0);
-  bool any = false;
-  for (std::size_t e = 0; e < is_seam.size(); ++e) {
-    const EdgeHandle edge(static_cast<int>(e));
-    if (mesh.has_edge_status() && mesh.status(edge).deleted()) continue;
-    is_seam[e] = detail::is_seam(mesh, mesh.halfedge_handle(edge, 0));
-    any |= is_seam[e] != 0;
-  }
-  if (!any) return;
-  is_seam_ = std::move(is_seam);
-  count_.assign(mesh.n_vertices(), 0);
-  for (std::size_t e = 0; e < is_seam_.size(); ++e) {
-    if (is_seam_[e] == 0) continue;
-    const HalfedgeHandle h = mesh.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
-    ++count_[index(mesh.from_vertex_handle(h))];
-    ++count_[index(mesh.to_vertex_handle(h))];
-  }
-  mark_slits(mesh);
-}
-
-template <typename Mesh>
-void MovingSeamsT<Mesh>::mark_slits(const Mesh& mesh) {
-  UnionFind charts(mesh.n_faces());
-  const auto face = [&](HalfedgeHandle h) { return static_cast<std::uint32_t>(mesh.face_handle(h).idx()); };
-  const auto for_each_inner = [&](auto visit) {
-    for (std::size_t e = 0; e < is_seam_.size(); ++e) {
-      const EdgeHandle edge(static_cast<int>(e));
-      if (mesh.has_edge_status() && mesh.status(edge).deleted()) continue;
-      const HalfedgeHandle h = mesh.halfedge_handle(edge, 0);
-      if (!is_open(mesh, h)) visit(h, mesh.opposite_halfedge_handle(h));
-    }
+MovingSeamsT<Mesh>::MovingSeamsT(const Mesh& mesh, const InputFaces& input, const Charts& charts)
+    : is_seam_(mesh.n_edges(), 0), count_(mesh.n_vertices(), 0), on_slit_(mesh.n_vertices(), 0) {
+  const auto is_apart = [&](std::uint32_t s, std::uint32_t t) {
+    return input.chains.next(s) == t && !input.chains.agrees(s);
   };
-  for_each_inner([&](HalfedgeHandle h, HalfedgeHandle o) {
-    if (!is_seam(mesh, h)) charts.join(face(h), face(o));
-  });
-  on_slit_.assign(mesh.n_vertices(), 0);
-  for_each_inner([&](HalfedgeHandle h, HalfedgeHandle o) {
-    if (is_seam(mesh, h) && charts.root(face(h)) == charts.root(face(o)))
-      on_slit_[index(mesh.to_vertex_handle(h))] = on_slit_[index(mesh.to_vertex_handle(o))] = 1;
-  });
+  for (std::size_t e = 0; e < is_seam_.size(); ++e) {
+    const std::uint32_t s = input.side[2 * e], t = input.side[2 * e + 1];
+    if (s == InputFaces::kNone || t == InputFaces::kNone || !(is_apart(s, t) || is_apart(t, s))) continue;
+    is_seam_[e] = 1;
+    const HalfedgeHandle h = mesh.halfedge_handle(EdgeHandle(static_cast<int>(e)), 0);
+    for (const VertexHandle v : {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)}) {
+      ++count_[index(v)];
+      if (charts.of_face[s / 3] == charts.of_face[t / 3]) on_slit_[index(v)] = 1;
+    }
+  }
 }
 
 template <typename Mesh>
@@ -229,17 +201,19 @@ template <typename Visit>
 void MovingSeamsT<Mesh>::for_each_corner(const Mesh& mesh, VertexHandle v, Visit visit) const {
   const auto parts = [&](HalfedgeHandle spoke) { return is_open(mesh, spoke) || is_seam(mesh, spoke); };
   // Sectors are counted from a spoke that parts two, if there is one.
-  HalfedgeHandle first = mesh.halfedge_handle(v);
-  for_each_spoke(mesh, v, [&](HalfedgeHandle spoke) {
-    if (!parts(first) && parts(spoke)) first = spoke;
-  });
+  const HalfedgeHandle any = mesh.halfedge_handle(v);
+  if (!any.is_valid()) return;
+  const auto after = [&](HalfedgeHandle spoke) {
+    return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
+  };
+  HalfedgeHandle first = any;
+  while (!parts(first) && (first = after(first)) != any) continue;
   std::uint32_t sector = 0;
   HalfedgeHandle spoke = first;
-  if (!spoke.is_valid()) return;
   do {
     if (spoke != first && parts(spoke)) ++sector;
     if (!mesh.is_boundary(spoke)) visit(mesh.prev_halfedge_handle(spoke), sector);
-    spoke = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(spoke));
+    spoke = after(spoke);
   } while (spoke != first);
 }
 

@@ -25,12 +25,12 @@ class PlannedModule {
   /// Whether the mesh still has the faces that the plan was made for, and no further locked or feature vertices. Then
   /// every planned collapse is legal in its turn.
   virtual bool is_fresh() const = 0;
-  /// Whether it has something to do at each collapse, for the mesh's attributes.
+  /// Whether it has something to do at each collapse, for the mesh's seams.
   virtual bool watches_collapses() const = 0;
   /// \param halfedge  its index in the mesh
   virtual void before_collapse(int halfedge) = 0;
   virtual void after_collapse(std::size_t rank) = 0;
-  /// In place of these, where it watches none: the first so many collapses have been executed.
+  /// At the end, whether it watches them or not: the first so many collapses have been executed.
   virtual void after_collapses(std::size_t n) = 0;
 };
 

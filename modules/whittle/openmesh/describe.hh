@@ -62,15 +62,13 @@ bool is_seam(const Mesh& mesh, typename Mesh::HalfedgeHandle h) {
          !same_corner(mesh, o, mesh.prev_halfedge_handle(h));
 }
 
-/// For each face that is not deleted a number at each of its corners, as `SurfaceExtras::wedges` has them: corners of a
-/// vertex that follow one another around it have the same number if their texture coordinates agree. Empty where those
-/// of every vertex do: no seams.
-/// \throw InvalidMesh  a face is not a triangle.
+/// For each half-edge a number of the corner that it points to: corners of a vertex that follow one another around it
+/// have the same number if their texture coordinates agree. Empty where those of every vertex do: no seams.
 template <typename Mesh>
-std::vector<std::array<std::uint32_t, 3>> corner_wedges(const Mesh& mesh) {
+std::vector<std::uint32_t> corner_numbers(const Mesh& mesh) {
   using HalfedgeHandle = typename Mesh::HalfedgeHandle;
   if (!has_corner_attributes(mesh)) return {};
-  std::vector<std::uint32_t> number(mesh.n_halfedges());  // of the corner that a half-edge points to
+  std::vector<std::uint32_t> number(mesh.n_halfedges());
   const auto number_of = [&](HalfedgeHandle h) -> std::uint32_t& {
     return number[static_cast<std::size_t>(h.idx())];
   };
@@ -92,13 +90,24 @@ std::vector<std::array<std::uint32_t, 3>> corner_wedges(const Mesh& mesh) {
       last = *h;
     }
   }
+  if (!has_seams) number.clear();
+  return number;
+}
+
+/// The numbers at each face that is not deleted, as `SurfaceExtras::wedges` has them.
+/// \param numbers  as `corner_numbers` makes them
+/// \throw InvalidMesh  a face is not a triangle.
+template <typename Mesh>
+std::vector<std::array<std::uint32_t, 3>> corner_wedges(const Mesh& mesh,
+                                                        const std::vector<std::uint32_t>& numbers) {
   std::vector<std::array<std::uint32_t, 3>> wedges;
-  if (!has_seams) return wedges;
+  if (numbers.empty()) return wedges;
+  wedges.reserve(mesh.n_faces());
   for_each_triangle(mesh, [&](std::size_t f, const auto&) {
     auto h = mesh.halfedge_handle(typename Mesh::FaceHandle(static_cast<int>(f)));
     auto& corners = wedges.emplace_back();
     for (std::uint32_t& corner : corners) {
-      corner = number_of(h);
+      corner = numbers[static_cast<std::size_t>(h.idx())];
       h = mesh.next_halfedge_handle(h);
     }
     return true;

@@ -6,9 +6,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "whittle/surface/EdgeChains.hh"
 #include "whittle/surface/Lists.hh"
 #include "whittle/surface/UnionFind.hh"
 
@@ -32,9 +34,14 @@ class Patches {
 
   /// \param wedges  of the same size; both must outlive this.
   Patches(const Triangles& triangles, const Triangles& wedges, std::size_t n_vertices)
+      : Patches(triangles, wedges, EdgeChains(triangles, wedges, n_vertices), n_vertices) {}
+  /// \param chains  of the same
+  Patches(const Triangles& triangles, const Triangles& wedges, EdgeChains chains, std::size_t n_vertices)
       : triangles_(triangles),
         wedges_(wedges),
-        stars_(n_vertices, 3 * triangles.size(), [&](std::size_t i) { return triangles[i / 3][i % 3]; }) {}
+        chains_(std::move(chains)),
+        stars_(Lists::of_corners(triangles, n_vertices)),
+        place_(triangles.size(), 0) {}
 
   /// Looks at these vertices, in ascending order.
   void gather(Lists::Range vertices);
@@ -43,64 +50,91 @@ class Patches {
   const std::vector<Seam>& seams() const { return seams_; }           ///< at the vertices
 
   /// Which of `faces()` a face is. \pre it is one of them
-  std::uint32_t place(std::uint32_t face) const {
-    return static_cast<std::uint32_t>(std::lower_bound(faces_.begin(), faces_.end(), face) - faces_.begin());
-  }
+  std::uint32_t place(std::uint32_t face) const { return place_[face]; }
   /// The patch of the i-th of `faces()`: the least i of those in it.
   std::uint32_t patch(std::uint32_t i) { return patches_.root(i); }
   /// Makes the patches of two faces one.
   void join(std::uint32_t i, std::uint32_t j) { patches_.join(i, j); }
 
  private:
-  struct Half {
-    std::array<std::uint32_t, 2> edge, wedges;  // at the lower vertex and at the higher one
-    Side side;
-  };
-  void gather_halves();
+  bool has(std::uint32_t face) const { return place_[face] < faces_.size() && faces_[place_[face]] == face; }
+  /// The corners of a side of the i-th face, at the lower vertex and at the higher one.
+  Side side(std::uint32_t i, std::uint32_t k) const {
+    const auto& t = triangles_[faces_[i]];
+    const std::uint32_t l = k == 2 ? 0 : k + 1;
+    return t[l] < t[k] ? Side{i, l, k} : Side{i, k, l};
+  }
+  std::uint32_t vertex(const Side& side, std::uint32_t corner) const {
+    return triangles_[faces_[side.face]][corner];
+  }
+  std::uint32_t wedge(const Side& side, std::uint32_t corner) const {
+    return wedges_[faces_[side.face]][corner];
+  }
+  void gather_faces(Lists::Range vertices);
+  void sort_seams();
 
   const Triangles &triangles_, &wedges_;
+  EdgeChains chains_;
   Lists stars_;
+  std::vector<std::uint32_t> place_;  // of each face, if it is one of those
   std::vector<std::uint32_t> faces_;
-  std::vector<Half> halves_;
   std::vector<Seam> seams_;
   UnionFind patches_ = UnionFind(0);
 };
 
-inline void Patches::gather_halves() {
-  halves_.clear();
-  for (std::uint32_t i = 0; i < faces_.size(); ++i)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto &t = triangles_[faces_[i]], &w = wedges_[faces_[i]];
-      std::uint32_t low = k, high = (k + 1) % 3;
-      if (t[high] < t[low]) std::swap(low, high);
-      halves_.push_back({{t[low], t[high]}, {w[low], w[high]}, {i, low, high}});
+inline void Patches::gather_faces(Lists::Range vertices) {
+  faces_.clear();
+  for (const std::uint32_t* v = vertices.first; v != vertices.second; ++v) {
+    const auto [first, last] = stars_.of(*v);
+    for (const std::uint32_t* corner = first; corner != last; ++corner) {
+      const std::uint32_t face = *corner / 3;
+      if (has(face)) continue;
+      place_[face] = static_cast<std::uint32_t>(faces_.size());
+      faces_.push_back(face);
     }
-  std::sort(halves_.begin(), halves_.end(), [](const Half& a, const Half& b) {
-    if (a.edge != b.edge) return a.edge < b.edge;
-    return a.wedges != b.wedges ? a.wedges < b.wedges : a.side.face < b.side.face;
+  }
+  std::sort(faces_.begin(), faces_.end());
+  for (std::uint32_t i = 0; i < faces_.size(); ++i) place_[faces_[i]] = i;
+}
+
+/// By their edges; those at one edge are in the order of its chain.
+inline void Patches::sort_seams() {
+  const auto key = [&](const Seam& s) {
+    return std::tuple(s.low, s.high, wedge(s.first, s.first.at_low), wedge(s.first, s.first.at_high),
+                      s.first.face);
+  };
+  std::sort(seams_.begin(), seams_.end(), [&](const Seam& a, const Seam& b) {
+    if (a.low != b.low) return a.low < b.low;
+    return a.high != b.high ? a.high < b.high : key(a) < key(b);
   });
 }
 
 inline void Patches::gather(Lists::Range vertices) {
-  faces_.clear();
-  for (const std::uint32_t* v = vertices.first; v != vertices.second; ++v) {
-    const auto [first, last] = stars_.of(*v);
-    for (const std::uint32_t* corner = first; corner != last; ++corner) faces_.push_back(*corner / 3);
-  }
-  std::sort(faces_.begin(), faces_.end());
-  faces_.erase(std::unique(faces_.begin(), faces_.end()), faces_.end());
-  patches_ = UnionFind(faces_.size());
+  gather_faces(vertices);
+  patches_.reset(faces_.size());
   seams_.clear();
-  gather_halves();
   const auto is_one = [&](std::uint32_t v) { return std::binary_search(vertices.first, vertices.second, v); };
-  for (std::size_t h = 1; h < halves_.size(); ++h) {
-    const Half &a = halves_[h - 1], &b = halves_[h];
-    if (a.edge != b.edge) continue;
-    if (a.wedges == b.wedges)
-      patches_.join(a.side.face, b.side.face);
-    else if (is_one(a.edge[0]) || is_one(a.edge[1]))
-      seams_.push_back({a.edge[0], a.edge[1], a.side, b.side});
-  }
+  for (std::uint32_t i = 0; i < faces_.size(); ++i)
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t at = 3 * faces_[i] + k;
+      std::uint32_t next = chains_.next(at);
+      if (next == EdgeChains::kNone) continue;
+      bool agrees = chains_.agrees(at);
+      while (next != EdgeChains::kNone && !has(next / 3)) {
+        agrees = agrees && chains_.agrees(next);
+        next = chains_.next(next);
+      }
+      if (next == EdgeChains::kNone) continue;
+      const std::uint32_t j = place_[next / 3];
+      if (agrees) {
+        patches_.join(i, j);
+        continue;
+      }
+      const Side first = side(i, k), second = side(j, next % 3);
+      const std::uint32_t low = vertex(first, first.at_low), high = vertex(first, first.at_high);
+      if (is_one(low) || is_one(high)) seams_.push_back({low, high, first, second});
+    }
+  sort_seams();
 }
 
 }  // namespace whittle::detail

@@ -40,7 +40,13 @@ class SeamPlaces {
 
   /// The input, all of which must outlive this. \param wedges  for each triangle
   SeamPlaces(const std::vector<Eigen::Vector3d>& points, const Triangles& triangles, const Triangles& wedges)
-      : points_(points), triangles_(triangles), patches_(triangles, wedges, points.size()) {}
+      : SeamPlaces(points, triangles, wedges, EdgeChains(triangles, wedges, points.size())) {}
+  /// \param chains  of the same
+  SeamPlaces(const std::vector<Eigen::Vector3d>& points, const Triangles& triangles, const Triangles& wedges,
+             EdgeChains chains)
+      : points_(points),
+        triangles_(triangles),
+        patches_(triangles, wedges, std::move(chains), points.size()) {}
 
   /// Looks for the places of a vertex at `p`.
   /// \param members  the vertices that became it, ascending
@@ -59,10 +65,10 @@ class SeamPlaces {
   /// Where groups met in the input.
   struct Spot {
     double squared_distance;
-    std::vector<std::uint32_t> groups;  ///< that meet there; ascending
-    std::uint32_t seam;                 ///< of `patches_`, where the place is on one; else kNone
-    std::uint32_t vertex;               ///< the place, where it is one
-    double share;                       ///< on a seam, from its lower vertex to its higher one
+    std::uint32_t seam;        ///< of `patches_`, where the place is on one; else kNone
+    std::uint32_t vertex;      ///< the place, where it is one
+    double share;              ///< on a seam, from its lower vertex to its higher one
+    std::size_t first, count;  ///< of `meets_`, the groups that meet there; ascending, at least one
   };
 
   void find_groups(const std::vector<Corner>& corners);
@@ -72,7 +78,6 @@ class SeamPlaces {
 
   void find_spots(const Eigen::Vector3d& p, Lists::Range members);
   void find_corner_spots(const Eigen::Vector3d& p, Lists::Range members, double longest);
-  void add_spot(Spot&& spot);
   Place place_at(const Spot& spot, std::uint32_t group);
   Place nearest_place(const Eigen::Vector3d& p, std::uint32_t group);
 
@@ -84,6 +89,8 @@ class SeamPlaces {
   std::vector<std::uint32_t> root_, group_of_corner_;           // of each group its patch; of each corner
   std::vector<Place> places_;                                   // of each group
   std::vector<Spot> spots_;
+  std::vector<std::uint32_t> meets_;                                // the groups of one spot after the other
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> at_vertex_;  // vertices and the groups that meet there
 };
 
 inline void SeamPlaces::find(const Eigen::Vector3d& p, Lists::Range members,
@@ -92,22 +99,24 @@ inline void SeamPlaces::find(const Eigen::Vector3d& p, Lists::Range members,
   find_groups(corners);
   places_.assign(root_.size(), {kNone, {}});
   spots_.clear();
+  meets_.clear();
   if (places_.size() > 1) find_spots(p, members);
   // Those that met in one place together: the nearest place first, but where there are only two, one where they met.
   for (;;) {
     const Spot* best = nullptr;
     std::tuple<bool, double, std::ptrdiff_t> least;
     for (const Spot& spot : spots_) {
-      const auto n = std::count_if(spot.groups.begin(), spot.groups.end(),
-                                   [&](std::uint32_t group) { return is_open(group); });
+      std::ptrdiff_t n = 0;
+      for (std::size_t i = 0; i < spot.count; ++i) n += is_open(meets_[spot.first + i]);
       const std::tuple rank(places_.size() == 2 && n < 2, spot.squared_distance, -n);
       if (n == 0 || (best && !(rank < least))) continue;
       best = &spot;
       least = rank;
     }
     if (best == nullptr) break;
-    for (const std::uint32_t group : best->groups)
-      if (is_open(group)) places_[group] = place_at(*best, group);
+    for (std::size_t i = 0; i < best->count; ++i)
+      if (const std::uint32_t group = meets_[best->first + i]; is_open(group))
+        places_[group] = place_at(*best, group);
   }
   for (std::uint32_t group = 0; group < places_.size(); ++group)
     if (is_open(group)) places_[group] = nearest_place(p, group);
@@ -137,12 +146,6 @@ inline std::uint32_t SeamPlaces::group_of(std::uint32_t i) {
   return found == root_.end() ? kNone : static_cast<std::uint32_t>(found - root_.begin());
 }
 
-inline void SeamPlaces::add_spot(Spot&& spot) {
-  std::sort(spot.groups.begin(), spot.groups.end());
-  spot.groups.erase(std::unique(spot.groups.begin(), spot.groups.end()), spot.groups.end());
-  if (!spot.groups.empty()) spots_.push_back(std::move(spot));
-}
-
 inline void SeamPlaces::find_spots(const Eigen::Vector3d& p, Lists::Range members) {
   double longest = 0;
   for (std::uint32_t s = 0; s < patches_.seams().size(); ++s) {
@@ -151,10 +154,12 @@ inline void SeamPlaces::find_spots(const Eigen::Vector3d& p, Lists::Range member
     const double square = e.squaredNorm();
     const double share = square > 0 ? std::clamp((p - a).dot(e) / square, 0.0, 1.0) : 0;
     longest = std::max(longest, square);
-    Spot spot{(a + share * e - p).squaredNorm(), {}, s, kNone, share};
-    for (const std::uint32_t face : {seam.first.face, seam.second.face})
-      if (const std::uint32_t group = group_of(face); group != kNone) spot.groups.push_back(group);
-    add_spot(std::move(spot));
+    const auto [one, other] = std::minmax({group_of(seam.first.face), group_of(seam.second.face)});
+    if (one == kNone) continue;
+    const std::size_t first = meets_.size();
+    meets_.push_back(one);
+    if (other != one && other != kNone) meets_.push_back(other);
+    spots_.push_back({(a + share * e - p).squaredNorm(), s, kNone, share, first, meets_.size() - first});
   }
   if (places_.size() > 2) find_corner_spots(p, members, longest);
 }
@@ -163,26 +168,32 @@ inline void SeamPlaces::find_spots(const Eigen::Vector3d& p, Lists::Range member
 /// \param longest  square of the longest seam edge's length
 inline void SeamPlaces::find_corner_spots(const Eigen::Vector3d& p, Lists::Range members, double longest) {
   constexpr double kHardly = 1e-3;  // of an edge
-  std::vector<Spot> at;
+  at_vertex_.clear();
   for (const auto& seam : patches_.seams())
-    for (const std::uint32_t v : {seam.low, seam.high}) {
-      if (!std::binary_search(members.first, members.second, v)) continue;
-      const double square = (points_[v] - p).squaredNorm();
-      at.push_back({square > kHardly * kHardly * longest ? square : 0, {}, kNone, v, 0});
-    }
-  std::sort(at.begin(), at.end(), [](const Spot& a, const Spot& b) { return a.vertex < b.vertex; });
-  at.erase(
-      std::unique(at.begin(), at.end(), [](const Spot& a, const Spot& b) { return a.vertex == b.vertex; }),
-      at.end());
+    for (const std::uint32_t v : {seam.low, seam.high})
+      if (std::binary_search(members.first, members.second, v)) at_vertex_.emplace_back(v, kNone);
+  std::sort(at_vertex_.begin(), at_vertex_.end());
+  at_vertex_.erase(std::unique(at_vertex_.begin(), at_vertex_.end()), at_vertex_.end());
+  const std::size_t n = at_vertex_.size();
   for (std::uint32_t i = 0; i < patches_.faces().size(); ++i)
     for (const std::uint32_t v : triangles_[patches_.faces()[i]]) {
-      const auto found =
-          std::lower_bound(at.begin(), at.end(), v,
-                           [](const Spot& spot, std::uint32_t vertex) { return spot.vertex < vertex; });
-      if (found == at.end() || found->vertex != v) continue;
-      if (const std::uint32_t group = group_of(i); group != kNone) found->groups.push_back(group);
+      if (!std::binary_search(at_vertex_.begin(), at_vertex_.begin() + static_cast<std::ptrdiff_t>(n),
+                              std::pair(v, kNone)))
+        continue;
+      if (const std::uint32_t group = group_of(i); group != kNone) at_vertex_.emplace_back(v, group);
     }
-  for (Spot& spot : at) add_spot(std::move(spot));
+  std::sort(at_vertex_.begin(), at_vertex_.end());
+  at_vertex_.erase(std::unique(at_vertex_.begin(), at_vertex_.end()), at_vertex_.end());
+  for (std::size_t i = 0; i < at_vertex_.size();) {
+    const std::uint32_t v = at_vertex_[i].first;
+    const double square = (points_[v] - p).squaredNorm();
+    const std::size_t first = meets_.size();
+    for (; i < at_vertex_.size() && at_vertex_[i].first == v; ++i)
+      if (at_vertex_[i].second != kNone) meets_.push_back(at_vertex_[i].second);
+    if (meets_.size() > first)
+      spots_.push_back(
+          {square > kHardly * kHardly * longest ? square : 0, kNone, v, 0, first, meets_.size() - first});
+  }
 }
 
 /// The place of one of the groups that meet at a spot, on the group's own side.

@@ -10,6 +10,7 @@
 
 #include "whittle/plan/TargetCount.hh"
 #include "whittle/surface/IndexedMesh.hh"
+#include "whittle/surface/charts.hh"
 #include "whittle/surface/pieces.hh"
 
 namespace whittle {
@@ -20,8 +21,9 @@ struct Attainable {
   std::size_t pieces = 0;   ///< that stay
   std::size_t small = 0;    ///< of those, whose share of the target is less than four faces
   std::size_t held = 0;     ///< vertices that cannot vanish
+  std::size_t charts = 0;   ///< that keep a face each, more than their share of the target
   std::size_t minimum = 0;  ///< faces that are left at least: two for a held vertex or one on the boundary,
-                            ///< four for a small piece
+                            ///< four for a small piece, one for a small chart
   bool is_higher = false;   ///< the target has been raised
 };
 
@@ -51,17 +53,19 @@ std::vector<bool> on_boundary(const IndexedMeshT<Real>& mesh) {
 
 }  // namespace detail
 
-/// Looks at what cannot vanish: held vertices, and the last four faces of each of several pieces whose share of the
-/// target is less.
+/// Looks at what cannot vanish: held vertices, the last four faces of each of several pieces whose share of the target is
+/// less, and the last face of each chart that keeps one.
 /// Where that leaves the rest less than half of its own share, the target is raised to all that cannot vanish and the
 /// whole share of the rest: it could not be reached without ruining the rest, or not at all.
 /// \param goes    for each piece whether it is to vanish and does not count; or empty: none
 /// \param flags   of the vertices, or empty
 /// \param holds   the flags that hold a vertex
 /// \param target  of what does not vanish
+/// \param kept    charts of which none loses its last face
 template <typename Real>
 Attainable attainable(const IndexedMeshT<Real>& mesh, const Pieces& pieces, const std::vector<bool>& goes,
-                      const std::vector<std::uint8_t>& flags, std::uint8_t holds, const TargetCount& target) {
+                      const std::vector<std::uint8_t>& flags, std::uint8_t holds, const TargetCount& target,
+                      const std::vector<ChartSize>& kept = {}) {
   constexpr double kLeastShare = 0.5;
   constexpr std::size_t kLeastFaces = 4;
   Attainable out;
@@ -94,8 +98,16 @@ Attainable attainable(const IndexedMeshT<Real>& mesh, const Pieces& pieces, cons
     least[piece] += open[v] ? 1u : 2u;
     ++out.held;
   }
+  std::vector<std::size_t> of_charts(pieces.count(), 0);
+  for (const ChartSize& chart : kept) {
+    const std::uint32_t piece = pieces.of_vertex[chart.vertex];
+    if (piece == Pieces::kNone || !counts(piece) || ratio * static_cast<double>(chart.faces) >= 1) continue;
+    ++of_charts[piece];
+    ++out.charts;
+  }
   for (std::size_t p = 0; p < least.size(); ++p) {
     if (!counts(p)) continue;
+    least[p] = std::max(least[p], of_charts[p]);
     if (out.pieces > 1 && ratio * static_cast<double>(pieces.faces[p]) < kLeastFaces) {
       least[p] = std::max(least[p], kLeastFaces);
       ++out.small;

@@ -38,8 +38,7 @@ class WedgeMerger {
         wedges_(wedges),
         members_(merged.n_vertices, merged.vertex_map.size(),
                  [&](std::size_t v) { return merged.vertex_map[v]; }),
-        stars_(merged.n_vertices, 3 * merged.after.size(),
-               [&](std::size_t i) { return merged.after[i / 3][i % 3]; }),
+        stars_(Lists::of_corners(merged.after, merged.n_vertices)),
         patches_(merged.before, wedges, merged.vertex_map.size()),
         is_split_(split_vertices(merged.before, wedges, merged.vertex_map.size())),
         may_join_(merged.n_vertices, false),
@@ -69,10 +68,17 @@ class WedgeMerger {
     }
   }
 
+  void number_alike(std::uint32_t w) {
+    const auto [first, last] = stars_.of(w);
+    for (const std::uint32_t* corner = first; corner != last; ++corner)
+      out_[*corner / 3][*corner % 3] = n_numbers_;
+    n_numbers_ += first != last;
+  }
+
   void number(std::uint32_t w) {
     const auto [first, last] = members_.of(w);
     const bool is_split = std::any_of(first, last, [&](std::uint32_t v) { return is_split_[v]; });
-    if (!is_split) return number_by(w, [](std::uint32_t, std::uint32_t) { return 0u; });
+    if (!is_split) return number_alike(w);
     if (last - first == 1)
       return number_by(w, [&](std::uint32_t f, std::uint32_t k) { return wedges_[f][k]; });
     patches_.gather({first, last});

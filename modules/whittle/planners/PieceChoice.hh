@@ -14,6 +14,7 @@
 #include "whittle/planners/pieces_by_error.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
+#include "whittle/surface/charts.hh"
 #include "whittle/surface/errors.hh"
 #include "whittle/surface/pieces.hh"
 
@@ -88,11 +89,13 @@ std::vector<bool> pieces_below(const IndexedMeshT<Real>& mesh, const Pieces& pie
 }
 
 /// \param holds  the flags that hold a vertex for the planner
+/// \param kept   charts of which none loses its last face
 /// \param force  leave the target as it is, even if it ruins what is free
 /// \throw InvalidMesh, InvalidParameter  as `pieces_by_error`.
 template <typename Real>
 PieceChoice choose_pieces(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras, const PieceRule& rule,
-                          std::uint8_t holds, const TargetCount& target, bool force, std::size_t n_threads) {
+                          std::uint8_t holds, const std::vector<ChartSize>& kept, const TargetCount& target,
+                          bool force, std::size_t n_threads) {
   PieceChoice choice;
   choice.attainable.target = target;
   if (rule.keeps_all() && !target.any()) return choice;
@@ -105,7 +108,7 @@ PieceChoice choose_pieces(const IndexedMeshT<Real>& mesh, const SurfaceExtras& e
     for (std::size_t p = 0; p < small.size(); ++p) choice.goes[p] = choice.goes[p] || small[p];
   }
   if (choice.n_gone() == 0) choice.goes.clear();
-  choice.attainable = attainable(mesh, choice.pieces, choice.goes, extras.flags, holds, target);
+  choice.attainable = attainable(mesh, choice.pieces, choice.goes, extras.flags, holds, target, kept);
   if (force) {
     choice.attainable.target = target;
     choice.attainable.is_higher = false;

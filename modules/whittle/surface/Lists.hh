@@ -2,6 +2,8 @@
 /// Lists of numbers in one array.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -23,6 +25,25 @@ class Lists {
     for (std::size_t l = 0; l < n_lists; ++l) first_[l + 1] += first_[l];
     std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
     for (std::size_t i = 0; i < n; ++i) items_[next[key(i)]++] = static_cast<std::uint32_t>(i);
+  }
+
+  /// For each vertex its corners: corner k of triangle f is number 3 f + k.
+  static Lists of_corners(const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                          std::size_t n_vertices) {
+    Lists lists;
+    lists.first_.resize(n_vertices + 1, 0);
+    for (const auto& t : triangles)
+      for (const std::uint32_t v : t) ++lists.first_[v];
+    std::size_t sum = 0;
+    for (std::size_t& n : lists.first_) n = std::exchange(sum, sum + n);
+    lists.items_.resize(3 * triangles.size());
+    std::uint32_t corner = 0;
+    for (const auto& t : triangles)
+      for (const std::uint32_t v : t) lists.items_[lists.first_[v]++] = corner++;
+    // Filling has moved each start to that of the next list.
+    std::copy_backward(lists.first_.begin(), lists.first_.end() - 1, lists.first_.end());
+    lists.first_[0] = 0;
+    return lists;
   }
 
   Range of(std::size_t list) const {

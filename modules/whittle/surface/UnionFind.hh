@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -13,9 +14,12 @@ namespace whittle::detail {
 /// meshes.
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t size) {
-    parent_.reserve(size);
-    for (std::size_t item = 0; item < size; ++item) parent_.push_back(static_cast<std::uint32_t>(item));
+  explicit UnionFind(std::size_t size) { reset(size); }
+
+  /// Each item by itself again, and as many as that.
+  void reset(std::size_t size) {
+    parent_.resize(size);
+    std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
   std::uint32_t root(std::uint32_t item) {

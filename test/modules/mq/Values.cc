@@ -1,6 +1,9 @@
 #include "whittle/mq/Values.hh"
 
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "OpenMeshFixture.hh"
 #include "measure/Distance.hh"
@@ -62,19 +65,59 @@ TEST_CASE("mq takes a face's slope from its values") {
   mq::Values values({1, 3, 6}, 1);
   const Vector p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);  // 1 + x + 5 y, weight: twice the area
   const auto term = values.term(p, q, r, values.at(0), values.at(1), values.at(2));
-  CHECK(term.slopes[0].weight == Approx(2));
-  CHECK(term.slopes[0].sum.isApprox(2 * Vector(1, 5, 0)));
+  CHECK(term.slopes[0].w() == Approx(2));
+  CHECK(term.slopes[0].head<3>().isApprox(2 * Vector(1, 5, 0)));
   CHECK(term.form.xx == Approx(2));
   CHECK(term.form.xy == Approx(10));
   CHECK(term.form.yy == Approx(50));
   CHECK(term.form.zz == 0);
 }
 
+TEST_CASE("mq takes the slopes of four faces at once as of each, whether regular, thin or without a value") {
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  struct Corner {
+    Vector position;
+    float beyond;  // is read, and means nothing
+  };
+  const std::vector<Corner> corners{
+      {{0, 0, 0}, none}, {{2, 0, 0}, none}, {{0.3f, 1, 0.2f}, none}, {{1, 1e-7f, 0}, none}};
+  const std::vector<float> at{1, -2, 3, 0.5f, 6, none, 7, 8};  // two values a corner
+  const mq::Values values(at, 2);
+  const std::array<std::array<std::size_t, 3>, 4> faces{{{0, 1, 3}, {1, 3, 0}, {0, 1, 2}, {3, 1, 2}}};
+  mq::Values::FourFaces four;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto& [p, q, r] = faces[k];
+    four.p[k] = corners[p].position.data();
+    four.q[k] = corners[q].position.data();
+    four.r[k] = corners[r].position.data();
+    four.at_p[k] = &at[2 * p];
+    four.at_q[k] = &at[2 * q];
+    four.at_r[k] = &at[2 * r];
+  }
+  const auto check = [&] {
+    std::array<mq::Values::Term, 4> terms;
+    values.terms(four, terms);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto vec = [](const float* x) { return Vector(x[0], x[1], x[2]); };
+      const auto one = values.term(vec(four.p[k]), vec(four.q[k]), vec(four.r[k]), four.at_p[k], four.at_q[k],
+                                   four.at_r[k]);
+      for (std::size_t i = 0; i < 2; ++i) CHECK(terms[k].slopes[i] == one.slopes[i]);
+      CHECK(terms[k].form.xx == one.form.xx);
+      CHECK(terms[k].form.xy == one.form.xy);
+      CHECK(terms[k].form.yz == one.form.yz);
+      CHECK(terms[k].form.zz == one.form.zz);
+    }
+  };
+  check();
+  four.r[0] = four.r[1] = corners[2].position.data();
+  check();
+}
+
 TEST_CASE("mq's values cost nothing along an edge where they are linear, and their slope across it") {
   mq::Values values({1, 3, 6}, 1);
   const Vector p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
   const auto term = values.term(p, q, r, values.at(0), values.at(1), values.at(2));
-  for (std::uint32_t v = 0; v < 3; ++v) values.add(v, term, 1);
+  for (std::uint32_t v = 0; v < 3; ++v) values.add(v, term);
   // From p to q by x along the edge the value changes by x, as the slope says.
   const mq::SymmetricMatrix own = term.form + values.along(0, 1, q - p, 0);
   CHECK((own * Vector(1, 0, 0)).dot(Vector(1, 0, 0)) == Approx(0).margin(1e-6));
@@ -85,9 +128,9 @@ TEST_CASE("mq's values cost nothing along an edge where they are linear, and the
 TEST_CASE("mq's values have no slope where one is NaN or the face is a sliver") {
   mq::Values values({1, NAN, 6}, 1);
   const Vector p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
-  CHECK(values.term(p, q, r, values.at(0), values.at(1), values.at(2)).slopes[0].weight == 0);
+  CHECK(values.term(p, q, r, values.at(0), values.at(1), values.at(2)).slopes[0].w() == 0);
   const float ok[] = {1, 2, 3};
-  CHECK(values.term(p, q, Vector(1, 1e-6f, 0), &ok[0], &ok[1], &ok[2]).slopes[0].weight == 0);
+  CHECK(values.term(p, q, Vector(1, 1e-6f, 0), &ok[0], &ok[1], &ok[2]).slopes[0].w() == 0);
   CHECK(values.along(0, 1, q - p, 0).trace() == 0);
 }
 

@@ -110,14 +110,15 @@ TEST_CASE("half-edge texture coordinates count where mq merges vertices") {
 }
 
 TEST_CASE("wedges tell corners apart whose texture coordinates differ, and there are none without seams") {
-  CHECK(detail::corner_wedges(textured(0)).empty());
-  CHECK(detail::corner_wedges(fixture::to_openmesh<Mesh>(meshes::flat_grid(4))).empty());
+  CHECK(detail::corner_numbers(textured(0)).empty());
+  CHECK(detail::corner_numbers(fixture::to_openmesh<Mesh>(meshes::flat_grid(4))).empty());
+  CHECK(detail::corner_wedges(textured(0), {}).empty());
   Mesh mesh = textured(10);
   mesh.request_face_status();
   mesh.request_edge_status();
   mesh.request_vertex_status();
   mesh.delete_face(mesh.face_handle(5), false);
-  const auto wedges = detail::corner_wedges(mesh);
+  const auto wedges = detail::corner_wedges(mesh, detail::corner_numbers(mesh));
   const auto triangles = to_indexed(mesh).triangles;
   REQUIRE(wedges.size() == triangles.size());
   std::map<std::uint32_t, std::set<std::uint32_t>> at;
@@ -133,7 +134,8 @@ TEST_CASE("the end of a slit inside the mesh has one wedge, and is on the seam n
       const auto p = mesh.point(h.to());
       if (p[0] == 4 && p[1] > 3 && mesh.calc_face_centroid(f)[0] < 4) mesh.set_texcoord2D(h, {9, 9});
     }
-  const auto seams = on_seams(to_indexed(mesh).triangles, detail::corner_wedges(mesh), mesh.n_vertices());
+  const auto seams = on_seams(to_indexed(mesh).triangles,
+                              detail::corner_wedges(mesh, detail::corner_numbers(mesh)), mesh.n_vertices());
   for (const auto v : mesh.vertices()) {
     const auto p = mesh.point(v);
     CHECK(seams[std::size_t(v.idx())] == (p[0] == 4 && p[1] >= 3));

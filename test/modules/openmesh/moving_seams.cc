@@ -220,7 +220,7 @@ TEST_CASE("decimate moves the seams of arrays and of OpenMesh meshes alike") {
   const auto chart = meshes::grown_charts(in, 30, 4);
   SeamMesh mesh = textured_charts(in, chart, apart);
   SurfaceExtras extras;
-  extras.wedges = detail::corner_wedges(mesh);
+  extras.wedges = detail::corner_wedges(mesh, detail::corner_numbers(mesh));
   REQUIRE(extras.wedges.size() == in.triangles.size());
   const DecimateReport a = decimate(mesh, down_to(400));
   const DecimatedT<double> b =

@@ -84,3 +84,21 @@ TEST_CASE("a target of vertices rises as one of faces does, isolated ones includ
   // Either count will do: with both, the nearer one decides.
   CHECK_FALSE(attainable_of(mesh, {2600, 60}, first_locked(mesh, 672)).is_higher);
 }
+
+TEST_CASE("charts that keep a face raise a target by one face each where their share is less") {
+  const IndexedMesh torus = meshes::torus(48, 28);  // 2,688 faces
+  std::vector<ChartSize> kept(336, {0, 8});
+  const auto found = [&](std::size_t faces) {
+    return attainable(torus, pieces_of(torus), {}, {}, kLocked, {faces, 0}, kept);
+  };
+  const Attainable low = found(200);  // 0.6 of a face for each chart
+  CHECK(low.is_higher);
+  CHECK(low.charts == 336);
+  CHECK(low.minimum == 336);
+  CHECK(low.target.faces == static_cast<std::size_t>(std::ceil(336 + (2688 - 336) * 200.0 / 2688)));
+  CHECK_FALSE(found(336).is_higher);  // a face for each
+  CHECK(found(336).charts == 0);
+  kept.resize(20);
+  CHECK(found(200).charts == 20);
+  CHECK_FALSE(found(200).is_higher);
+}
