@@ -13,10 +13,12 @@ SeamTransfer::SeamTransfer(const Attribute& in, const Decimation& d)
       sampler_(in, d.before),
       members_(d.after.points.size(), d.vertex_map.size(), [&](std::size_t v) { return d.vertex_map[v]; }),
       corners_(detail::Lists::of_corners(d.after.triangles, d.after.points.size())),
-      places_(d.before.points, d.before.triangles, in.corners),
-      wedges_(merged_wedges(
-          {d.before.triangles, d.after.triangles, d.vertex_map, d.face_origin, d.after.points.size()},
-          in.corners)),
+      input_(d.before.triangles, in.corners, d.before.points.size()),
+      places_(d.before.points, input_),
+      wedges_(detail::WedgeMerger(
+                  {d.before.triangles, d.after.triangles, d.vertex_map, d.face_origin, d.after.points.size()},
+                  input_)
+                  .run()),
       out_(d.after.triangles.size()) {}
 
 Attribute SeamTransfer::run() {

@@ -9,6 +9,7 @@
 #include "attributes/Attribute.hh"
 #include "attributes/Sampler.hh"
 #include "attributes/transfer.hh"
+#include "whittle/plan/Patches.hh"
 #include "whittle/plan/SeamPlaces.hh"
 #include "whittle/surface/Lists.hh"
 
@@ -28,6 +29,7 @@ class SeamTransfer {
   const Decimation& d_;
   Sampler sampler_;
   detail::Lists members_, corners_;
+  detail::WedgedFaces input_;
   detail::SeamPlaces places_;
   std::vector<IndexedMesh::Triangle> wedges_, out_;
   std::vector<detail::SeamPlaces::Corner> merged_;  // at the current vertex

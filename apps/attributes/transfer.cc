@@ -49,7 +49,8 @@ class Transfer {
   void begin_corners() {
     corners_.resize(d_.after.triangles.size());
     after_ = Stars(d_.after);
-    patches_.emplace(d_.before.triangles, in_.corners, d_.before.points.size());
+    input_.emplace(d_.before.triangles, in_.corners, d_.before.points.size());
+    patches_.emplace(*input_);
   }
 
   void carry_corners(std::uint32_t w) {
@@ -94,7 +95,8 @@ class Transfer {
   Sampler sampler_;
   Stars after_;
   std::vector<Triangle> corners_;
-  std::optional<detail::Patches> patches_;        // of an attribute of corners
+  std::optional<detail::WedgedFaces> input_;      // of an attribute of corners
+  std::optional<detail::Patches> patches_;        // the same
   std::vector<std::uint32_t> faces_;              // where the current value comes from, ascending
   std::map<std::uint32_t, std::uint32_t> known_;  // new values at the current vertex, by old value or patch
 };

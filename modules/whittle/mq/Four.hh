@@ -71,15 +71,24 @@ EIGEN_ALWAYS_INLINE Four reciprocal_lengths(const Four& squares) {
 
 /// Four rows of four floats to four columns, or back.
 EIGEN_ALWAYS_INLINE std::array<Four, 4> transposed(const std::array<const float*, 4>& rows) {
-  Eigen::Matrix4f m;
-  for (int i = 0; i < 4; ++i) m.col(i) = Eigen::Map<const Eigen::Vector4f>(rows[static_cast<std::size_t>(i)]);
-  m.transposeInPlace();
-  return {m.col(0), m.col(1), m.col(2), m.col(3)};
+  std::array<Four, 4> columns;
+#if defined(__SSE__)
+  __m128 a = _mm_loadu_ps(rows[0]), b = _mm_loadu_ps(rows[1]), c = _mm_loadu_ps(rows[2]),
+         d = _mm_loadu_ps(rows[3]);
+  _MM_TRANSPOSE4_PS(a, b, c, d);
+  _mm_storeu_ps(columns[0].data(), a);
+  _mm_storeu_ps(columns[1].data(), b);
+  _mm_storeu_ps(columns[2].data(), c);
+  _mm_storeu_ps(columns[3].data(), d);
+#else
+  for (std::size_t i = 0; i < 4; ++i) columns[i] = {rows[0][i], rows[1][i], rows[2][i], rows[3][i]};
+#endif
+  return columns;
 }
 EIGEN_ALWAYS_INLINE Eigen::Matrix4f transposed(const Four& a, const Four& b, const Four& c, const Four& d) {
+  const auto columns = transposed({a.data(), b.data(), c.data(), d.data()});
   Eigen::Matrix4f m;
-  m << a.matrix(), b.matrix(), c.matrix(), d.matrix();
-  m.transposeInPlace();
+  for (std::size_t i = 0; i < 4; ++i) m.col(static_cast<Eigen::Index>(i)) = columns[i].matrix();
   return m;
 }
 

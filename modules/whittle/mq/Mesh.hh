@@ -41,6 +41,7 @@ struct Mesh {
   std::optional<Bound> bound;  ///< on the distance from the input
   float min_cos = -1;          ///< of the flip guard
   bool all_free = true;        ///< `holds` is kFree everywhere, and there are no seams
+  bool has_boundary = false;   ///< open vertices
   bool has_features = false;   ///< edges that are marked as features
   bool has_seams = false;      ///< edges that are marked as seams
   bool has_lines = false;      ///< edges with planes of their own: boundary, features, seams
@@ -55,7 +56,7 @@ struct Mesh {
   /// seam only, and where the seam meets the boundary along the boundary only.
   Hold hold(std::uint32_t v, std::uint32_t other) const {
     if (!has_seams || holds[v] != kFree || seams[v] == 0) return holds[v];
-    return seams[other] == 0 || (table.is_open(v) && !table.is_open(other)) ? kFixed : kFree;
+    return seams[other] == 0 || (has_boundary && table.is_open(v) && !table.is_open(other)) ? kFixed : kFree;
   }
   /// Both ends have a ring, and not both are fixed.
   bool is_movable(Corner c) const {

@@ -29,8 +29,8 @@ namespace whittle::mq {
 ///     (m - g)(m - g)T = m mT - (m gT + g mT) + g gT
 ///
 /// The last term does not depend on the edge and is added to the vertex's quadric once; for the others the
-/// sums of g and of the weights are kept. NaN means that a vertex has no single value, as on a seam; its
-/// faces are left out for that value.
+/// sums of g and of the weights are kept. NaN, or more than any sensible length, means that a vertex has no single value,
+/// as on a seam; its faces are left out for that value.
 class Values {
  public:
   static constexpr std::size_t kMost = SurfaceExtras::kMostValues;
@@ -42,19 +42,32 @@ class Values {
     SymmetricMatrix form;             ///< the sum of g gT
     std::array<Slope, kMost> slopes;  ///< as many as there are values; the others are undefined
   };
-  /// Four triangles p q r: where their corners lie, and what values they have. After each position there is another
-  /// float.
+  /// The values of a vertex, and after them 1 for each that it has and 0 for each that it lacks. Reads of four may go
+  /// beyond them.
+  using Record = std::array<float, 2 * kMost + 4>;
+  /// Four triangles p q r: where their corners lie, and their records. After each position there is another float.
   struct FourFaces {
     std::array<const float*, 4> p, q, r, at_p, at_q, at_r;
   };
 
   Values() = default;
   /// \param values  `count` for each vertex
-  Values(std::vector<float> values, std::size_t count)
-      : n_(count), values_(std::move(values)), slopes_(values_.size(), Slope::Zero()) {}
+  Values(const std::vector<float>& values, std::size_t count)
+      : n_(count), records_(2 * values.size() + 4, 0), slopes_(values.size(), Slope::Zero()) {
+    constexpr float kLargest = 1e18f;  // its square is still a float
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const bool is_known = std::abs(values[i]) <= kLargest;
+      float* const at = &records_[i / n_ * 2 * n_ + i % n_];
+      at[0] = is_known ? values[i] : 0;
+      at[n_] = is_known ? 1 : 0;
+    }
+    known_.resize(values.size() / n_);
+    for (std::uint32_t v = 0; v < known_.size(); ++v) note_known(v);
+  }
 
   bool empty() const { return n_ == 0; }
-  const float* at(std::uint32_t v) const { return &values_[n_ * v]; }
+  /// The record of a vertex.
+  const float* at(std::uint32_t v) const { return &records_[2 * n_ * v]; }
 
   /// What the face p q r adds to each of its corners.
   Term term(const Vec& p, const Vec& q, const Vec& r, const float* at_p, const float* at_q,
@@ -79,30 +92,49 @@ class Values {
     for (std::size_t i = 0; i < n_; ++i) sum.slopes[i] += term.slopes[i];
   }
 
+  /// Which values a vertex has: a bit for each.
+  unsigned known(std::uint32_t v) const { return known_[v]; }
+
   /// The values at a share of the way from a to b.
-  std::array<float, kMost> between(std::uint32_t a, std::uint32_t b, float share) const {
-    std::array<float, kMost> out{};
-    for (std::size_t i = 0; i < n_; ++i) out[i] = at(a)[i] + share * (at(b)[i] - at(a)[i]);
+  Record between(std::uint32_t a, std::uint32_t b, float share) const {
+    Record out{};
+    for (std::size_t i = 0; i < n_; ++i) {
+      out[i] = at(a)[i] + share * (at(b)[i] - at(a)[i]);
+      out[n_ + i] = at(a)[n_ + i] * at(b)[n_ + i];
+    }
     return out;
   }
-  void set(std::uint32_t v, const std::array<float, kMost>& values, const Term& term) {
-    for (std::size_t i = 0; i < n_; ++i) {
-      values_[n_ * v + i] = values[i];
-      slopes_[n_ * v + i] = term.slopes[i];
-    }
+  void set(std::uint32_t v, const Record& record, const Term& term) {
+    std::copy_n(record.begin(), 2 * n_, records_.begin() + static_cast<std::ptrdiff_t>(2 * n_ * v));
+    std::copy_n(term.slopes.begin(), n_, slopes_.begin() + static_cast<std::ptrdiff_t>(n_ * v));
+    note_known(v);
   }
 
-  /// What the edge e from a to b adds to the quadric of its end v.
-  SymmetricMatrix along(std::uint32_t a, std::uint32_t b, const Vec& e, std::uint32_t v) const;
-  /// The same for four edges, at both ends.
+  /// What four edges e from a to b add to the quadrics at a and at b.
   std::array<FourMatrices, 2> along(const std::array<std::uint32_t, 4>& a,
                                     const std::array<std::uint32_t, 4>& b, const FourVectors& e) const;
 
  private:
   static constexpr float kSliver = 1e-6f;  // the slope of a thinner face is not reliable
 
+  /// The numbers of four records, each number of all four together.
+  using FourRecords = std::array<Four, 2 * kMost + 4>;
+  void gather(const std::array<const float*, 4>& records, FourRecords& out) const {
+    for (std::size_t i = 0; i < 2 * n_; i += 4) {
+      const auto columns = transposed({records[0] + i, records[1] + i, records[2] + i, records[3] + i});
+      std::copy(columns.begin(), columns.end(), out.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+  void note_known(std::uint32_t v) {
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < n_; ++i) bits |= at(v)[n_ + i] > 0 ? 1u << i : 0u;
+    known_[v] = static_cast<std::uint16_t>(bits);
+  }
+
   std::size_t n_ = 0;
-  std::vector<float> values_;
+  std::vector<float> records_;
+  std::vector<std::uint16_t> known_;
   std::vector<Slope> slopes_;
 };
 
@@ -116,9 +148,9 @@ inline auto Values::term(const Vec& p, const Vec& q, const Vec& r, const float* 
   const Vec by_e = f.cross(n) / square, by_f = n.cross(e) / square;
   for (std::size_t i = 0; i < n_; ++i) {
     const Vec slope = (at_q[i] - at_p[i]) * by_e + (at_r[i] - at_p[i]) * by_f;
-    if (!slope.allFinite()) continue;
+    if (at_p[n_ + i] * at_q[n_ + i] * at_r[n_ + i] == 0 || !slope.allFinite()) continue;
     term.form += SymmetricMatrix::outer(slope, weight);
-    term.slopes[i] << weight * slope, weight;
+    term.slopes[i] = {weight * slope.x(), weight * slope.y(), weight * slope.z(), weight};
   }
   return term;
 }
@@ -129,20 +161,15 @@ inline void Values::terms(const FourFaces& faces, std::array<Term, 4>& out) cons
   const Four square = n.squaredNorm(), weight = square_roots(square);
   const FourVectors by_e = f.cross(n) / square, by_f = n.cross(e) / square;
   const Four excess = square - kSliver * e.squaredNorm() * f.squaredNorm();
+  FourRecords at_p, at_q, at_r;
+  gather(faces.at_p, at_p);
+  gather(faces.at_q, at_q);
+  gather(faces.at_r, at_r);
   FourMatrices form;
   Four sum(0.0f);
   for (std::size_t i = 0; i < n_; ++i) {
-    Four to_q, to_r, is_known;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto lane = static_cast<Eigen::Index>(k);
-      const float value = faces.at_p[k][i], q = faces.at_q[k][i] - value, r = faces.at_r[k][i] - value;
-      const bool known = std::isfinite(q) && std::isfinite(r);
-      to_q[lane] = known ? q : 0;
-      to_r[lane] = known ? r : 0;
-      is_known[lane] = known ? 1 : 0;
-    }
-    const FourVectors slope = to_q * by_e + to_r * by_f;
-    const Four counted = is_known * weight;
+    const FourVectors slope = (at_q[i] - at_p[i]) * by_e + (at_r[i] - at_p[i]) * by_f;
+    const Four counted = at_p[n_ + i] * at_q[n_ + i] * at_r[n_ + i] * weight;
     form += FourMatrices::outer(slope, counted);
     sum += slope.x() + slope.y() + slope.z();
     const Eigen::Matrix4f slopes =
@@ -158,43 +185,31 @@ inline void Values::terms(const FourFaces& faces, std::array<Term, 4>& out) cons
         term(vec(faces.p[k]), vec(faces.q[k]), vec(faces.r[k]), faces.at_p[k], faces.at_q[k], faces.at_r[k]);
 }
 
-inline SymmetricMatrix Values::along(std::uint32_t a, std::uint32_t b, const Vec& e, std::uint32_t v) const {
-  SymmetricMatrix sum;
-  const float square = e.squaredNorm();
-  if (!(square > 0)) return sum;
-  for (std::size_t i = 0; i < n_; ++i) {
-    const float difference = at(b)[i] - at(a)[i];
-    if (!std::isfinite(difference)) continue;
-    const Vec m = difference / square * e;
-    const Slope& slope = slopes_[n_ * v + i];
-    sum += SymmetricMatrix::outer(m, slope.w()) - SymmetricMatrix::both(m, slope.head<3>());
-  }
-  return sum;
-}
-
 inline std::array<FourMatrices, 2> Values::along(const std::array<std::uint32_t, 4>& a,
                                                  const std::array<std::uint32_t, 4>& b,
                                                  const FourVectors& e) const {
-  std::array<FourMatrices, 2> sums;
   const Four square = e.squaredNorm();
+  Four has_length(1.0f);
+  if (!(square.minCoeff() > 0))
+    for (Eigen::Index k = 0; k < 4; ++k) has_length[k] = square[k] > 0 ? 1 : 0;
+  const Four divisor = square.max(std::numeric_limits<float>::min());
+  const auto records = [&](const std::array<std::uint32_t, 4>& v, FourRecords& out) {
+    gather({at(v[0]), at(v[1]), at(v[2]), at(v[3])}, out);
+  };
+  FourRecords at_a, at_b;
+  records(a, at_a);
+  records(b, at_b);
+  std::array<FourMatrices, 2> sums;
   for (std::size_t i = 0; i < n_; ++i) {
-    Four difference;
-    std::array<const float*, 4> at_a, at_b;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto lane = static_cast<Eigen::Index>(k);
-      const std::size_t from = n_ * a[k] + i, to = n_ * b[k] + i;
-      const float d = values_[to] - values_[from];
-      difference[lane] = std::isfinite(d) && square[lane] > 0 ? d : 0;
-      at_a[k] = slopes_[from].data();
-      at_b[k] = slopes_[to].data();
-    }
-    const FourVectors m = difference / square.max(std::numeric_limits<float>::min()) * e;
-    const auto add = [&m](FourMatrices& sum, const std::array<const float*, 4>& slopes) {
-      const auto columns = transposed(slopes);
+    const Four difference = (at_b[i] - at_a[i]) * (at_a[n_ + i] * at_b[n_ + i] * has_length);
+    const FourVectors m = difference / divisor * e;
+    const auto add = [&](FourMatrices& sum, const std::array<std::uint32_t, 4>& v) {
+      const auto slope = [&](std::size_t k) { return slopes_[n_ * v[k] + i].data(); };
+      const auto columns = transposed({slope(0), slope(1), slope(2), slope(3)});
       sum += FourMatrices::outer(m, columns[3]) - FourMatrices::both(m, {columns[0], columns[1], columns[2]});
     };
-    add(sums[0], at_a);
-    add(sums[1], at_b);
+    add(sums[0], a);
+    add(sums[1], b);
   }
   return sums;
 }

@@ -46,7 +46,8 @@ inline Mesh connected(MortonOrder order, detail::Crew& crew) {
     if (mesh.table.first(v) == kNoCorner)
       mesh.holds[v] = kUntouchable;
     else
-      mesh.has_lines |= mesh.table.is_open(v);
+      mesh.has_boundary |= mesh.table.is_open(v);
+  mesh.has_lines = mesh.has_boundary;
   mesh.partition = Partition(mesh.table);
   return mesh;
 }
@@ -67,20 +68,12 @@ inline void set_values(Mesh& mesh, const SurfaceExtras& extras) {
     for (std::size_t k = 0; k < n; ++k)
       values[n * i + k] =
           static_cast<float>(static_cast<double>(extras.values[n * mesh.input[i] + k]) / mesh.scale);
-  mesh.values = Values(std::move(values), n);
+  mesh.values = Values(values, n);
 }
 
-/// Adds a face to its corners: its plane, the slopes of its values, and the lines along its open edges.
-inline void add_face(Mesh& mesh, Corner f, SymmetricMatrix quadric) {
+/// Adds a face to its corners: its plane, and the lines along its open edges.
+inline void add_face(Mesh& mesh, Corner f, const SymmetricMatrix& quadric) {
   const auto& face = mesh.table.face(f);
-  Values& values = mesh.values;
-  if (!values.empty()) {
-    const auto& [a, b, c] = face.vertex;
-    const auto term = values.term(mesh.position(f), mesh.position(f + 1), mesh.position(f + 2), values.at(a),
-                                  values.at(b), values.at(c));
-    quadric += term.form;
-    for (const std::uint32_t v : face.vertex) values.add(v, term);
-  }
   for (const std::uint32_t v : face.vertex) mesh.quadrics[v] += quadric;
   if (face.twin[0] != kNoCorner && face.twin[1] != kNoCorner && face.twin[2] != kNoCorner) return;
   for (Corner c = f; c < f + 3; ++c) {
@@ -91,18 +84,38 @@ inline void add_face(Mesh& mesh, Corner f, SymmetricMatrix quadric) {
   }
 }
 
-/// Adds the first `n` of four faces, and notes their normals.
-inline void add_faces(Mesh& mesh, const std::array<Corner, 4>& faces, std::size_t n) {
-  std::array<const float*, 4> at_p, at_q, at_r;
+/// Adds the slopes of the values on the first `n` of four faces to the corners, and to the faces' quadrics.
+inline void add_values(Mesh& mesh, const std::array<Corner, 4>& faces, std::size_t n,
+                       Values::FourFaces& corners, std::array<SymmetricMatrix, 4>& quadrics) {
+  Values& values = mesh.values;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto& [p, q, r] = mesh.table.face(faces[i]).vertex;
-    at_p[i] = mesh.vertices[p].position.data();
-    at_q[i] = mesh.vertices[q].position.data();
-    at_r[i] = mesh.vertices[r].position.data();
+    corners.at_p[i] = values.at(p);
+    corners.at_q[i] = values.at(q);
+    corners.at_r[i] = values.at(r);
   }
-  const FourVectors p = gathered(at_p), normal = (gathered(at_q) - p).cross(gathered(at_r) - p);
+  std::array<Values::Term, 4> terms;
+  values.terms(corners, terms);
+  for (std::size_t i = 0; i < n; ++i) {
+    quadrics[i] += terms[i].form;
+    for (const std::uint32_t v : mesh.table.face(faces[i]).vertex) values.add(v, terms[i]);
+  }
+}
+
+/// Adds the first `n` of four faces, and notes their normals.
+inline void add_faces(Mesh& mesh, const std::array<Corner, 4>& faces, std::size_t n) {
+  Values::FourFaces corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& [p, q, r] = mesh.table.face(faces[i]).vertex;
+    corners.p[i] = mesh.vertices[p].position.data();
+    corners.q[i] = mesh.vertices[q].position.data();
+    corners.r[i] = mesh.vertices[r].position.data();
+  }
+  const FourVectors p = gathered(corners.p),
+                    normal = (gathered(corners.q) - p).cross(gathered(corners.r) - p);
   const Four square = normal.squaredNorm(), reciprocal = reciprocal_lengths(square);
-  const auto quadrics = apart(FourMatrices::outer(normal, reciprocal));
+  auto quadrics = apart(FourMatrices::outer(normal, reciprocal));
+  if (!mesh.values.empty()) add_values(mesh, faces, n, corners, quadrics);
   const Eigen::Matrix4f units =
       transposed(reciprocal * normal.x(), reciprocal * normal.y(), reciprocal * normal.z(), square);
   for (std::size_t i = 0; i < n; ++i) {

@@ -73,41 +73,56 @@ inline void update_values(Mesh& mesh, Corner c, const Vec& target, float along, 
     values.subtract(v, term);
   };
   const auto position = [&](std::uint32_t v) -> const Vec& { return mesh.vertices[v].position; };
-  for (const Corner side : {c, table.twin(c)}) {
-    if (side == kNoCorner) continue;
-    const std::uint32_t tip = table.vertex(previous(side)), p = table.vertex(side),
-                        q = table.vertex(next(side));
-    subtract(tip, values.term(position(tip), position(p), position(q), values.at(tip), values.at(p),
-                              values.at(q)));
+  const auto put = [&](Values::FourFaces& faces, std::size_t k, std::uint32_t p, std::uint32_t q,
+                       std::uint32_t r) {
+    faces.p[k] = position(p).data();
+    faces.q[k] = position(q).data();
+    faces.r[k] = position(r).data();
+    faces.at_p[k] = values.at(p);
+    faces.at_q[k] = values.at(q);
+    faces.at_r[k] = values.at(r);
+  };
+  Values::FourFaces faces;
+  std::array<Values::Term, 4> before, after;
+  const Corner d = table.twin(c) == kNoCorner ? c : table.twin(c);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Corner side = k == 1 ? d : c;
+    put(faces, k, table.vertex(previous(side)), table.vertex(side), table.vertex(next(side)));
   }
+  values.terms(faces, before);
+  subtract(table.vertex(previous(c)), before[0]);
+  if (d != c) subtract(table.vertex(previous(d)), before[1]);
+
+  // A face that lacks all values at a corner adds nothing.
   const Vertex moved{target, 0};
   Values::Term sum = values.no_term();
-  std::array<Values::Term, 4> before, after;
-  for (std::size_t i = 0; i < worker.ring.size(); i += 4) {
-    Values::FourFaces faces;
-    const EdgeRing::Side* const sides = worker.ring.begin() + i;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const EdgeRing::Side& side = sides[i + k < worker.ring.size() ? k : 0];
-      const std::uint32_t p = i + k < worker.ring.n_at_start() ? to : from;
-      faces.p[k] = position(p).data();
-      faces.q[k] = position(side.from).data();
-      faces.r[k] = position(side.to).data();
-      faces.at_p[k] = values.at(p);
-      faces.at_q[k] = values.at(side.from);
-      faces.at_r[k] = values.at(side.to);
-    }
+  std::array<const EdgeRing::Side*, 4> sides;
+  const auto apply = [&](std::size_t n) {
+    for (std::size_t k = n; k < 4; ++k) put(faces, k, to, sides[0]->from, sides[0]->to);
     values.terms(faces, before);
     faces.p.fill(moved.position.data());
     faces.at_p.fill(merged.data());
     values.terms(faces, after);
-    for (std::size_t k = 0; k < std::min<std::size_t>(4, worker.ring.size() - i); ++k) {
-      for (const std::uint32_t w : {sides[k].from, sides[k].to}) {
+    for (std::size_t k = 0; k < n; ++k) {
+      for (const std::uint32_t w : {sides[k]->from, sides[k]->to}) {
         subtract(w, before[k]);
         add(w, after[k]);
       }
       values.add(sum, after[k]);
     }
+  };
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < worker.ring.size(); ++i) {
+    const EdgeRing::Side& side = worker.ring.begin()[i];
+    const std::uint32_t p = i < worker.ring.n_at_start() ? to : from;
+    if ((values.known(p) & values.known(side.from) & values.known(side.to)) == 0) continue;
+    put(faces, n, p, side.from, side.to);
+    sides[n++] = &side;
+    if (n < 4) continue;
+    apply(n);
+    n = 0;
   }
+  if (n > 0) apply(n);
   own += sum.form;
   values.set(to, merged, sum);
 }

@@ -26,13 +26,27 @@ struct FourEdges {
   std::array<std::uint32_t, 4> start, end;
 };
 
-/// At the end that is held, or in the middle.
-inline Placement safe_place(const Vec& e, Hold a, Hold b, const SymmetricMatrix& at_a,
-                            const SymmetricMatrix& at_b) {
-  if (a == kFixed) return {Vec::Zero(), std::max(0.0f, e.dot(at_b * e))};
-  if (b == kFixed) return {e, std::max(0.0f, e.dot(at_a * e))};
+/// Where it is not known how to do better: in the middle.
+inline Placement middle_place(const Vec& e, const SymmetricMatrix& sum) {
   const Vec middle = e / 2;
-  return {middle, std::max(0.0f, middle.dot((at_a + at_b) * middle))};
+  return {middle, std::max(0.0f, middle.dot(sum * middle))};
+}
+
+/// Of edges that have an end that stays, puts the placement at that end in place of the best one.
+/// \param pull_b  the quadric at the end times the edge
+inline void place_at_held_ends(const Mesh& mesh, const FourEdges& edges, const FourVectors& e,
+                               const FourMatrices& at_a, const FourVectors& pull_b, Placements& placements) {
+  const Four zero(0.0f), at_start = e.dot(pull_b).max(0.0f), at_end = e.dot(at_a * e).max(0.0f);
+  std::array<Placements, 3> choices{placements};
+  Eigen::Matrix4f::Map(&choices[1][0].offset.x()) = transposed(zero, zero, zero, at_start);
+  Eigen::Matrix4f::Map(&choices[2][0].offset.x()) = transposed(e.x(), e.y(), e.z(), at_end);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint32_t start = edges.start[i], end = edges.end[i];
+    const std::size_t choice = mesh.hold(start, end) == kFixed   ? 1u
+                               : mesh.hold(end, start) == kFixed ? 2u
+                                                                 : 0u;
+    placements[i] = choices[choice][i];
+  }
 }
 
 /// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
@@ -55,16 +69,17 @@ inline Placements best_places(const Mesh& mesh, const FourEdges& edges, const Fo
 
   // Zero times a number that is not finite is not zero.
   const bool irregular = !(least.min(far).minCoeff() > 0 && (0 * (least + far)).sum() == 0);
-  if (irregular || !mesh.all_free || !mesh.weights.empty())
+  if (irregular)
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::uint32_t start = edges.start[i], end = edges.end[i];
       const auto k = static_cast<Eigen::Index>(i);
-      const Hold a = mesh.hold(start, end), b = mesh.hold(end, start);
-      if (a + b != kFree || !(least[k] > 0 && far[k] >= 0))
-        placements[i] = safe_place(mesh.vertices[end].position - mesh.vertices[start].position, a, b,
-                                   one_of(at_a, k), one_of(at_b, k));
-      if (!mesh.weights.empty()) placements[i].cost *= std::max(mesh.weights[start], mesh.weights[end]);
+      if (least[k] > 0 && far[k] >= 0) continue;
+      placements[i] = middle_place(
+          mesh.vertices[edges.end[i]].position - mesh.vertices[edges.start[i]].position, one_of(sum, k));
     }
+  if (!mesh.all_free) place_at_held_ends(mesh, edges, e, at_a, pull_b, placements);
+  if (!mesh.weights.empty())
+    for (std::size_t i = 0; i < 4; ++i)
+      placements[i].cost *= std::max(mesh.weights[edges.start[i]], mesh.weights[edges.end[i]]);
   return placements;
 }
 

@@ -9,7 +9,6 @@
 
 #include "whittle/mq/Mesh.hh"
 #include "whittle/mq/lines.hh"
-#include "whittle/surface/UnionFind.hh"
 
 namespace whittle::mq {
 
@@ -24,17 +23,38 @@ inline bool ends_slit(const Mesh& mesh, std::uint32_t v) {
   return mesh.seams[v] == 1 && is_inside(mesh, v);
 }
 
+/// The chart of each face: some number that only the faces have that hang together across other edges than seams.
+inline std::vector<std::uint32_t> charts(const CornerTable& table) {
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  std::vector<std::uint32_t> chart(table.n_faces(), kNone), pending(table.n_faces() + 3);
+  for (std::uint32_t seed = 0; seed < chart.size(); ++seed) {
+    if (chart[seed] != kNone) continue;
+    chart[seed] = seed;
+    pending[0] = seed;
+    for (std::size_t n = 1; n > 0;) {
+      const std::uint32_t f = pending[--n];
+      for (Corner c = corner_of(f); c < corner_of(f) + 3;
+           ++c) {  // without branches, which nothing could predict
+        const Corner d = table.twin(c) == kNoCorner ? c : table.twin(c);
+        const std::uint32_t g = face_of(d);
+        const bool joins = !table.notes(c).is_seam(c) & (chart[g] == kNone);
+        chart[g] = joins ? seed : chart[g];
+        pending[n] = g;
+        n += joins;
+      }
+    }
+  }
+  return chart;
+}
+
 /// Notes which vertices are on a slit, a seam with one chart on both of its sides.
 /// \param seams  a half-edge of each seam edge.
 inline void mark_slits(Mesh& mesh, const std::vector<Corner>& seams) {
   const CornerTable& table = mesh.table;
-  detail::UnionFind charts(table.n_faces());
-  for (Corner f = 0; f < corner_of(table.n_faces()); f += corner_of(1))
-    for (Corner c = f; c < f + 3; ++c)
-      if (c > table.twin(c) && !table.notes(c).is_seam(c)) charts.join(face_of(c), face_of(table.twin(c)));
+  const std::vector<std::uint32_t> chart = charts(table);
   mesh.on_slit.assign(table.n_vertices(), 0);
   for (const Corner c : seams)
-    if (charts.root(face_of(c)) == charts.root(face_of(table.twin(c))))
+    if (chart[face_of(c)] == chart[face_of(table.twin(c))])
       mesh.on_slit[table.vertex(c)] = mesh.on_slit[table.vertex(next(c))] = 1;
 }
 
@@ -43,25 +63,34 @@ inline void mark_slits(Mesh& mesh, const std::vector<Corner>& seams) {
 inline void mark_seams(Mesh& mesh, const std::vector<std::array<std::uint32_t, 3>>& wedges,
                        const std::vector<std::uint32_t>& input_face) {
   CornerTable& table = mesh.table;
-  const auto wedge = [&](Corner c) { return wedges[input_face[face_of(c)]][c & 3]; };
+  std::vector<std::uint32_t> own;  // wedges of each face, and one more that means nothing
+  own.reserve(4 * input_face.size());
+  for (const std::uint32_t f : input_face) {
+    own.insert(own.end(), wedges[f].begin(), wedges[f].end());
+    own.push_back(0);
+  }
+  const auto wedge = [&](Corner c) { return own[std::size_t{4} * face_of(c) + (c & 3)]; };
   std::vector<Corner> seams;
   for (Corner f = 0; f < corner_of(table.n_faces()); f += corner_of(1))
-    for (Corner c = f; c < f + 3; ++c) {
-      const Corner d = table.twin(c);
-      if (d == kNoCorner || d < c || (wedge(c) == wedge(next(d)) && wedge(next(c)) == wedge(d))) continue;
+    for (Corner c = f; c < f + 3; ++c) {  // without branches that nothing could predict
+      const bool is_open = table.twin(c) == kNoCorner;
+      const Corner d = is_open ? c : table.twin(c);
+      const bool agrees = (wedge(c) == wedge(next(d))) & (wedge(next(c)) == wedge(d));
+      if (is_open | agrees) continue;
       table.notes(c).set_seam(c);
-      table.notes(d).set_seam(d);
-      seams.push_back(c);
+      if (c < d) seams.push_back(c);
     }
   if (seams.empty()) return;
   mesh.has_seams = mesh.has_lines = true;
   mesh.all_free = false;
   mesh.seams.assign(table.n_vertices(), 0);
   for (const Corner c : seams)
-    for (const std::uint32_t v : {table.vertex(c), table.vertex(next(c))}) {
-      ++mesh.seams[v];
-      if (!table.notes(c).is_feature(c)) mesh.quadrics[v] += line_quadric(mesh, c);
-    }
+    for (const std::uint32_t v : {table.vertex(c), table.vertex(next(c))}) ++mesh.seams[v];
+  for (const Corner c : seams) {
+    if (table.notes(c).is_feature(c)) continue;
+    const SymmetricMatrix line = line_quadric(mesh, c);
+    for (const std::uint32_t v : {table.vertex(c), table.vertex(next(c))}) mesh.quadrics[v] += line;
+  }
   for (std::uint32_t v = 0; v < mesh.seams.size(); ++v)
     if (ends_slit(mesh, v)) mesh.holds[v] = kFixed;
   mark_slits(mesh, seams);

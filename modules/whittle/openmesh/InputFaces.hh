@@ -23,7 +23,7 @@ struct InputFaces {
   std::vector<Eigen::Vector3d> points;  ///< of each vertex, and one more for the corners of deleted faces
   Triangles triangles;
   Triangles wedges;                 ///< numbers of the corners; empty where there are no seams
-  EdgeChains chains;                ///< the same
+  EdgeChains chains;                ///< the same; for the user to move away
   std::vector<std::uint32_t> side;  ///< of each half-edge; kNone outside of the boundary
   std::vector<std::uint32_t> twin;  ///< of each side the one across; kNone at the boundary and at seams
   std::vector<std::uint32_t> face;  ///< of each vertex one that has it; kNone if there is none

@@ -24,8 +24,8 @@ class MovingSeamsT {
 
   MovingSeamsT() = default;  ///< none
   /// The seams of a mesh as it is.
-  /// \param input  the same mesh; with wedges
-  MovingSeamsT(const Mesh& mesh, const InputFaces& input, const Charts& charts);
+  /// \param input  the same mesh, with wedges
+  MovingSeamsT(const Mesh& mesh, const InputFaces& input, const EdgeChains& chains, const Charts& charts);
 
   bool empty() const { return is_seam_.empty(); }  ///< whether there was none
   bool is_seam(EdgeHandle e) const { return is_seam_[index(e)] != 0; }
@@ -86,10 +86,11 @@ void MovingSeamsT<Mesh>::for_each_spoke(const Mesh& mesh, VertexHandle v, Visit 
 }
 
 template <typename Mesh>
-MovingSeamsT<Mesh>::MovingSeamsT(const Mesh& mesh, const InputFaces& input, const Charts& charts)
+MovingSeamsT<Mesh>::MovingSeamsT(const Mesh& mesh, const InputFaces& input, const EdgeChains& chains,
+                                 const Charts& charts)
     : is_seam_(mesh.n_edges(), 0), count_(mesh.n_vertices(), 0), on_slit_(mesh.n_vertices(), 0) {
   const auto is_apart = [&](std::uint32_t s, std::uint32_t t) {
-    return input.chains.next(s) == t && !input.chains.agrees(s);
+    return chains.next(s) == t && !chains.agrees(s);
   };
   for (std::size_t e = 0; e < is_seam_.size(); ++e) {
     const std::uint32_t s = input.side[2 * e], t = input.side[2 * e + 1];

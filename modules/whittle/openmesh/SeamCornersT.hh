@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "whittle/openmesh/InputFaces.hh"
 #include "whittle/openmesh/MovingSeamsT.hh"
+#include "whittle/plan/Patches.hh"
 #include "whittle/plan/SeamPlaces.hh"
 #include "whittle/surface/Lists.hh"
 
@@ -22,9 +24,13 @@ class SeamCornersT {
   using VertexHandle = typename Mesh::VertexHandle;
   using HalfedgeHandle = typename Mesh::HalfedgeHandle;
 
-  /// The input, with wedges, must outlive this.
-  explicit SeamCornersT(const InputFaces& input)
-      : places_(input.points, input.triangles, input.wedges, input.chains), noted_(input.face.size()) {}
+  /// The input, with wedges, must outlive this. \param chains  its own
+  SeamCornersT(const InputFaces& input, EdgeChains chains)
+      : faces_(input.triangles, input.wedges, std::move(chains), input.points.size()),
+        places_(input.points, faces_),
+        noted_(input.face.size()) {}
+  SeamCornersT(const SeamCornersT&) = delete;
+  SeamCornersT& operator=(const SeamCornersT&) = delete;
 
   /// Notes the corners at a vertex.
   void note(const Mesh& mesh, const MovingSeamsT<Mesh>& seams, VertexHandle v);
@@ -41,6 +47,7 @@ class SeamCornersT {
     std::uint32_t count = 0, room = 0;
   };
 
+  WedgedFaces faces_;
   SeamPlaces places_;
   std::vector<Noted> noted_;                 // of each vertex
   std::vector<SeamPlaces::Corner> corners_;  // of all of them

@@ -168,7 +168,9 @@ void SurvivorAttributesT<Mesh>::take_snapshot(const Mesh& mesh, const std::vecto
     });
   has_corners_ = has_corner_attributes(mesh);
   if (empty()) return;
-  input_ = std::make_unique<const InputFaces>(mesh, numbers);
+  auto input = std::make_unique<InputFaces>(mesh, numbers);
+  EdgeChains chains = std::move(input->chains);
+  input_ = std::move(input);
   walk_ = FaceWalk(*input_);
   next_.resize(mesh.n_vertices());
   std::iota(next_.begin(), next_.end(), 0u);
@@ -183,10 +185,9 @@ void SurvivorAttributesT<Mesh>::take_snapshot(const Mesh& mesh, const std::vecto
   });
   if (numbers.empty()) return;
   const std::uint32_t nowhere = static_cast<std::uint32_t>(mesh.n_vertices());
-  charts_ =
-      detail::charts(input_->chains, [&](std::uint32_t f) { return input_->triangles[f][0] != nowhere; });
-  seams_ = MovingSeamsT<Mesh>(mesh, *input_, charts_);
-  seam_corners_ = std::make_unique<SeamCornersT<Mesh>>(*input_);
+  charts_ = detail::charts(chains, [&](std::uint32_t f) { return input_->triangles[f][0] != nowhere; });
+  seams_ = MovingSeamsT<Mesh>(mesh, *input_, chains, charts_);
+  seam_corners_ = std::make_unique<SeamCornersT<Mesh>>(*input_, std::move(chains));
   on_seam_.resize(mesh.n_vertices());
   for (std::size_t v = 0; v < on_seam_.size(); ++v)
     on_seam_[v] = seams_.is_on_seam(VertexHandle(static_cast<int>(v)));
@@ -195,10 +196,12 @@ void SurvivorAttributesT<Mesh>::take_snapshot(const Mesh& mesh, const std::vecto
 /// Where the edge from `v0` to the tip on the left is a seam, the half-edge that takes its place is of the other side.
 template <typename Mesh>
 void SurvivorAttributesT<Mesh>::before(Mesh& mesh, HalfedgeHandle v0v1) {
-  if (seams_.empty()) return;
-  if (!mesh.is_boundary(v0v1)) {
-    const auto beyond = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(v0v1));
-    const auto instead = mesh.next_halfedge_handle(v0v1);
+  if (seams_.empty() ||
+      (!seams_.is_on_seam(mesh.from_vertex_handle(v0v1)) && !seams_.is_on_seam(mesh.to_vertex_handle(v0v1))))
+    return;
+  const auto left = mesh.prev_halfedge_handle(v0v1);
+  if (!mesh.is_boundary(v0v1) && seams_.is_seam(mesh.edge_handle(left))) {
+    const auto beyond = mesh.opposite_halfedge_handle(left), instead = mesh.next_halfedge_handle(v0v1);
     for_each_of_corners(*this, mesh, [&](const auto&, auto get, auto set) { set(instead, get(beyond)); });
   }
   seams_.collapse(mesh, v0v1);

@@ -75,19 +75,24 @@ std::vector<std::uint32_t> corner_numbers(const Mesh& mesh) {
   std::uint32_t n_numbers = 0;
   bool has_seams = false;
   for (std::size_t v = 0; v < mesh.n_vertices(); ++v) {
+    const HalfedgeHandle start = mesh.halfedge_handle(typename Mesh::VertexHandle(static_cast<int>(v)));
     HalfedgeHandle first, last;
-    for (auto h = mesh.cvih_iter(typename Mesh::VertexHandle(static_cast<int>(v))); h.is_valid(); ++h) {
-      if (mesh.is_boundary(*h)) continue;
-      if (last.is_valid() && same_corner(mesh, *h, last)) {
-        number_of(*h) = number_of(last);
-      } else if (last.is_valid() && same_corner(mesh, *h, first)) {
-        number_of(*h) = number_of(first);
-      } else {
-        has_seams |= last.is_valid();
-        number_of(*h) = n_numbers++;
+    for (HalfedgeHandle out = start; out.is_valid();) {
+      const HalfedgeHandle h = mesh.opposite_halfedge_handle(out);
+      if (!mesh.is_boundary(h)) {
+        if (last.is_valid() && same_corner(mesh, h, last)) {
+          number_of(h) = number_of(last);
+        } else if (last.is_valid() && same_corner(mesh, h, first)) {
+          number_of(h) = number_of(first);
+        } else {
+          has_seams |= last.is_valid();
+          number_of(h) = n_numbers++;
+        }
+        if (!first.is_valid()) first = h;
+        last = h;
       }
-      if (!first.is_valid()) first = *h;
-      last = *h;
+      out = mesh.next_halfedge_handle(h);
+      if (out == start) break;
     }
   }
   if (!has_seams) number.clear();

@@ -16,12 +16,29 @@
 
 namespace whittle::detail {
 
+/// Triangles with wedges, prepared for looks around their vertices.
+struct WedgedFaces {
+  using Triangles = EdgeChains::Triangles;
+
+  const Triangles &triangles, &wedges;
+  EdgeChains chains;
+  Lists corners;  ///< of each vertex: corner k of triangle f is number 3 f + k
+
+  /// Both arrays, of the same size, must outlive this. \param chains  of the same
+  WedgedFaces(const Triangles& all, const Triangles& their_wedges, EdgeChains their_chains,
+              std::size_t n_vertices)
+      : triangles(all),
+        wedges(their_wedges),
+        chains(std::move(their_chains)),
+        corners(Lists::of_corners(all, n_vertices)) {}
+  WedgedFaces(const Triangles& all, const Triangles& their_wedges, std::size_t n_vertices)
+      : WedgedFaces(all, their_wedges, EdgeChains(all, their_wedges, n_vertices), n_vertices) {}
+};
+
 /// The faces around some vertices, in patches: those that share an edge at both of whose ends their wedges agree,
 /// directly or through others. Seams separate patches; a slit has the same patch on both sides at its end.
 class Patches {
  public:
-  using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
   /// A face at an edge from a lower vertex to a higher one: which of `faces()`, and its corners there, 0..2.
   struct Side {
     std::uint32_t face, at_low, at_high;
@@ -32,16 +49,8 @@ class Patches {
     Side first, second;
   };
 
-  /// \param wedges  of the same size; both must outlive this.
-  Patches(const Triangles& triangles, const Triangles& wedges, std::size_t n_vertices)
-      : Patches(triangles, wedges, EdgeChains(triangles, wedges, n_vertices), n_vertices) {}
-  /// \param chains  of the same
-  Patches(const Triangles& triangles, const Triangles& wedges, EdgeChains chains, std::size_t n_vertices)
-      : triangles_(triangles),
-        wedges_(wedges),
-        chains_(std::move(chains)),
-        stars_(Lists::of_corners(triangles, n_vertices)),
-        place_(triangles.size(), 0) {}
+  /// The input must outlive this.
+  explicit Patches(const WedgedFaces& input) : input_(input), place_(input.triangles.size(), 0) {}
 
   /// Looks at these vertices, in ascending order.
   void gather(Lists::Range vertices);
@@ -60,22 +69,20 @@ class Patches {
   bool has(std::uint32_t face) const { return place_[face] < faces_.size() && faces_[place_[face]] == face; }
   /// The corners of a side of the i-th face, at the lower vertex and at the higher one.
   Side side(std::uint32_t i, std::uint32_t k) const {
-    const auto& t = triangles_[faces_[i]];
+    const auto& t = input_.triangles[faces_[i]];
     const std::uint32_t l = k == 2 ? 0 : k + 1;
     return t[l] < t[k] ? Side{i, l, k} : Side{i, k, l};
   }
   std::uint32_t vertex(const Side& side, std::uint32_t corner) const {
-    return triangles_[faces_[side.face]][corner];
+    return input_.triangles[faces_[side.face]][corner];
   }
   std::uint32_t wedge(const Side& side, std::uint32_t corner) const {
-    return wedges_[faces_[side.face]][corner];
+    return input_.wedges[faces_[side.face]][corner];
   }
   void gather_faces(Lists::Range vertices);
   void sort_seams();
 
-  const Triangles &triangles_, &wedges_;
-  EdgeChains chains_;
-  Lists stars_;
+  const WedgedFaces& input_;
   std::vector<std::uint32_t> place_;  // of each face, if it is one of those
   std::vector<std::uint32_t> faces_;
   std::vector<Seam> seams_;
@@ -85,7 +92,7 @@ class Patches {
 inline void Patches::gather_faces(Lists::Range vertices) {
   faces_.clear();
   for (const std::uint32_t* v = vertices.first; v != vertices.second; ++v) {
-    const auto [first, last] = stars_.of(*v);
+    const auto [first, last] = input_.corners.of(*v);
     for (const std::uint32_t* corner = first; corner != last; ++corner) {
       const std::uint32_t face = *corner / 3;
       if (has(face)) continue;
@@ -117,12 +124,12 @@ inline void Patches::gather(Lists::Range vertices) {
   for (std::uint32_t i = 0; i < faces_.size(); ++i)
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t at = 3 * faces_[i] + k;
-      std::uint32_t next = chains_.next(at);
+      std::uint32_t next = input_.chains.next(at);
       if (next == EdgeChains::kNone) continue;
-      bool agrees = chains_.agrees(at);
+      bool agrees = input_.chains.agrees(at);
       while (next != EdgeChains::kNone && !has(next / 3)) {
-        agrees = agrees && chains_.agrees(next);
-        next = chains_.next(next);
+        agrees = agrees && input_.chains.agrees(next);
+        next = input_.chains.next(next);
       }
       if (next == EdgeChains::kNone) continue;
       const std::uint32_t j = place_[next / 3];

@@ -26,8 +26,6 @@ namespace whittle::detail {
 /// has moved along the seam of two of them, the others keep the values at the corner.
 class SeamPlaces {
  public:
-  using Triangles = Patches::Triangles;
-
   /// A point of a face of the input: the shares of its corners, which add up to 1.
   struct Place {
     std::uint32_t face;
@@ -38,15 +36,9 @@ class SeamPlaces {
     std::uint32_t face, wedge;
   };
 
-  /// The input, all of which must outlive this. \param wedges  for each triangle
-  SeamPlaces(const std::vector<Eigen::Vector3d>& points, const Triangles& triangles, const Triangles& wedges)
-      : SeamPlaces(points, triangles, wedges, EdgeChains(triangles, wedges, points.size())) {}
-  /// \param chains  of the same
-  SeamPlaces(const std::vector<Eigen::Vector3d>& points, const Triangles& triangles, const Triangles& wedges,
-             EdgeChains chains)
-      : points_(points),
-        triangles_(triangles),
-        patches_(triangles, wedges, std::move(chains), points.size()) {}
+  /// The input, all of which must outlive this. \param points  of each vertex
+  SeamPlaces(const std::vector<Eigen::Vector3d>& points, const WedgedFaces& faces)
+      : points_(points), input_(faces), patches_(faces) {}
 
   /// Looks for the places of a vertex at `p`.
   /// \param members  the vertices that became it, ascending
@@ -73,7 +65,7 @@ class SeamPlaces {
 
   void find_groups(const std::vector<Corner>& corners);
   /// The group of the patch of the i-th face of `patches_`; kNone if nothing is left of it.
-  std::uint32_t group_of(std::uint32_t i);
+  std::uint32_t group_of(std::uint32_t i) const { return group_[i]; }
   bool is_open(std::uint32_t group) const { return places_[group].face == kNone; }
 
   void find_spots(const Eigen::Vector3d& p, Lists::Range members);
@@ -82,22 +74,23 @@ class SeamPlaces {
   Place nearest_place(const Eigen::Vector3d& p, std::uint32_t group);
 
   const std::vector<Eigen::Vector3d>& points_;
-  const Triangles& triangles_;
+  const WedgedFaces& input_;
   Patches patches_;
   // At the current vertex:
   std::vector<std::pair<std::uint32_t, std::uint32_t>> first_;  // of each wedge: a face of `patches_`
-  std::vector<std::uint32_t> root_, group_of_corner_;           // of each group its patch; of each corner
-  std::vector<Place> places_;                                   // of each group
+  std::uint32_t n_groups_ = 0;
+  std::vector<std::uint32_t> group_, group_of_corner_;  // of each of the faces; of each corner
+  std::vector<Place> places_;                           // of each group
   std::vector<Spot> spots_;
-  std::vector<std::uint32_t> meets_;                                // the groups of one spot after the other
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> at_vertex_;  // vertices and the groups that meet there
+  std::vector<std::uint32_t> meets_;    // the groups of one spot after the other
+  std::vector<std::uint32_t> corners_;  // the members on seams
 };
 
 inline void SeamPlaces::find(const Eigen::Vector3d& p, Lists::Range members,
                              const std::vector<Corner>& corners) {
   patches_.gather(members);
   find_groups(corners);
-  places_.assign(root_.size(), {kNone, {}});
+  places_.assign(n_groups_, {kNone, {}});
   spots_.clear();
   meets_.clear();
   if (places_.size() > 1) find_spots(p, members);
@@ -125,7 +118,6 @@ inline void SeamPlaces::find(const Eigen::Vector3d& p, Lists::Range members,
 /// The patches of faces whose corners have one wedge make a group.
 inline void SeamPlaces::find_groups(const std::vector<Corner>& corners) {
   first_.clear();
-  root_.clear();
   group_of_corner_.clear();
   for (const Corner& corner : corners) {
     const std::uint32_t i = patches_.place(corner.face);
@@ -136,14 +128,13 @@ inline void SeamPlaces::find_groups(const std::vector<Corner>& corners) {
     else
       patches_.join(known->second, i);
   }
+  n_groups_ = 0;
+  group_.assign(patches_.faces().size(), kNone);
   for (const auto& entry : first_)
-    if (group_of(entry.second) == kNone) root_.push_back(patches_.patch(entry.second));
+    if (std::uint32_t& group = group_[patches_.patch(entry.second)]; group == kNone) group = n_groups_++;
+  // A patch is the least of its faces.
+  for (std::uint32_t i = 0; i < group_.size(); ++i) group_[i] = group_[patches_.patch(i)];
   for (const Corner& corner : corners) group_of_corner_.push_back(group_of(patches_.place(corner.face)));
-}
-
-inline std::uint32_t SeamPlaces::group_of(std::uint32_t i) {
-  const auto found = std::find(root_.begin(), root_.end(), patches_.patch(i));
-  return found == root_.end() ? kNone : static_cast<std::uint32_t>(found - root_.begin());
 }
 
 inline void SeamPlaces::find_spots(const Eigen::Vector3d& p, Lists::Range members) {
@@ -168,31 +159,25 @@ inline void SeamPlaces::find_spots(const Eigen::Vector3d& p, Lists::Range member
 /// \param longest  square of the longest seam edge's length
 inline void SeamPlaces::find_corner_spots(const Eigen::Vector3d& p, Lists::Range members, double longest) {
   constexpr double kHardly = 1e-3;  // of an edge
-  at_vertex_.clear();
+  corners_.clear();
   for (const auto& seam : patches_.seams())
     for (const std::uint32_t v : {seam.low, seam.high})
-      if (std::binary_search(members.first, members.second, v)) at_vertex_.emplace_back(v, kNone);
-  std::sort(at_vertex_.begin(), at_vertex_.end());
-  at_vertex_.erase(std::unique(at_vertex_.begin(), at_vertex_.end()), at_vertex_.end());
-  const std::size_t n = at_vertex_.size();
-  for (std::uint32_t i = 0; i < patches_.faces().size(); ++i)
-    for (const std::uint32_t v : triangles_[patches_.faces()[i]]) {
-      if (!std::binary_search(at_vertex_.begin(), at_vertex_.begin() + static_cast<std::ptrdiff_t>(n),
-                              std::pair(v, kNone)))
-        continue;
-      if (const std::uint32_t group = group_of(i); group != kNone) at_vertex_.emplace_back(v, group);
-    }
-  std::sort(at_vertex_.begin(), at_vertex_.end());
-  at_vertex_.erase(std::unique(at_vertex_.begin(), at_vertex_.end()), at_vertex_.end());
-  for (std::size_t i = 0; i < at_vertex_.size();) {
-    const std::uint32_t v = at_vertex_[i].first;
+      if (std::binary_search(members.first, members.second, v)) corners_.push_back(v);
+  std::sort(corners_.begin(), corners_.end());
+  corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+  for (const std::uint32_t v : corners_) {
     const double square = (points_[v] - p).squaredNorm();
     const std::size_t first = meets_.size();
-    for (; i < at_vertex_.size() && at_vertex_[i].first == v; ++i)
-      if (at_vertex_[i].second != kNone) meets_.push_back(at_vertex_[i].second);
-    if (meets_.size() > first)
-      spots_.push_back(
-          {square > kHardly * kHardly * longest ? square : 0, kNone, v, 0, first, meets_.size() - first});
+    const auto begin = [&] { return meets_.begin() + static_cast<std::ptrdiff_t>(first); };
+    const auto [corner, last] = input_.corners.of(v);
+    for (const std::uint32_t* at = corner; at != last; ++at) {
+      const std::uint32_t group = group_of(patches_.place(*at / 3));
+      if (group != kNone && std::find(begin(), meets_.end(), group) == meets_.end()) meets_.push_back(group);
+    }
+    if (meets_.size() == first) continue;
+    std::sort(begin(), meets_.end());
+    spots_.push_back(
+        {square > kHardly * kHardly * longest ? square : 0, kNone, v, 0, first, meets_.size() - first});
   }
 }
 
@@ -208,7 +193,7 @@ inline auto SeamPlaces::place_at(const Spot& spot, std::uint32_t group) -> Place
     return place;
   }
   for (std::uint32_t i = 0; i < patches_.faces().size() && place.face == kNone; ++i) {
-    const auto& t = triangles_[patches_.faces()[i]];
+    const auto& t = input_.triangles[patches_.faces()[i]];
     const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), spot.vertex) - t.begin());
     if (k == 3 || group_of(i) != group) continue;
     place.face = patches_.faces()[i];
@@ -225,7 +210,7 @@ inline auto SeamPlaces::nearest_place(const Eigen::Vector3d& p, std::uint32_t gr
   for (std::uint32_t i = 0; i < patches_.faces().size(); ++i) {
     if (group_of(i) != group) continue;
     const std::uint32_t f = patches_.faces()[i];
-    const auto& [a, b, c] = triangles_[f];
+    const auto& [a, b, c] = input_.triangles[f];
     if (nearest == kNone) nearest = f;  // whatever its shape
     const Eigen::Vector3d q = closest_point(p, points_[a], points_[b], points_[c]);
     const double distance = (q - p).squaredNorm();
@@ -234,7 +219,7 @@ inline auto SeamPlaces::nearest_place(const Eigen::Vector3d& p, std::uint32_t gr
     nearest = f;
     at = q;
   }
-  const auto& [a, b, c] = triangles_[nearest];
+  const auto& [a, b, c] = input_.triangles[nearest];
   return {nearest, shares(at, points_[a], points_[b], points_[c])};
 }
 

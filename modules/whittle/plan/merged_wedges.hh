@@ -33,14 +33,14 @@ namespace detail {
 /// edge and not at the other: a chart between them has vanished.
 class WedgeMerger {
  public:
-  WedgeMerger(const Merged& merged, const Merged::Triangles& wedges)
+  WedgeMerger(const Merged& merged, const WedgedFaces& before)
       : merged_(merged),
-        wedges_(wedges),
+        wedges_(before.wedges),
         members_(merged.n_vertices, merged.vertex_map.size(),
                  [&](std::size_t v) { return merged.vertex_map[v]; }),
         stars_(Lists::of_corners(merged.after, merged.n_vertices)),
-        patches_(merged.before, wedges, merged.vertex_map.size()),
-        is_split_(split_vertices(merged.before, wedges, merged.vertex_map.size())),
+        patches_(before),
+        is_split_(split_vertices(before.triangles, before.wedges, merged.vertex_map.size())),
         may_join_(merged.n_vertices, false),
         out_(merged.after.size()) {}
 
@@ -148,7 +148,8 @@ class WedgeMerger {
 /// one; and if a chart between them has vanished, so that they agree at the other end of an edge that two such faces
 /// now share.
 inline Merged::Triangles merged_wedges(const Merged& merged, const Merged::Triangles& wedges) {
-  return detail::WedgeMerger(merged, wedges).run();
+  const detail::WedgedFaces before(merged.before, wedges, merged.vertex_map.size());
+  return detail::WedgeMerger(merged, before).run();
 }
 
 }  // namespace whittle

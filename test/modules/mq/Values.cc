@@ -53,6 +53,12 @@ BulkOptions spot_options(const IndexedMesh& grid, double weight) {
   return options;
 }
 
+/// What the edge from vertex 0 to vertex 1 adds at one of them.
+mq::SymmetricMatrix along(const mq::Values& values, const Vector& e, std::size_t end) {
+  const mq::FourVectors edges(mq::Four(e.x()), mq::Four(e.y()), mq::Four(e.z()));
+  return mq::one_of(values.along({0, 0, 0, 0}, {1, 1, 1, 1}, edges)[end], 0);
+}
+
 MemorylessQuadric down_to(std::size_t faces) {
   MemorylessQuadric planner;
   planner.target_faces = faces;
@@ -81,8 +87,9 @@ TEST_CASE("mq takes the slopes of four faces at once as of each, whether regular
   };
   const std::vector<Corner> corners{
       {{0, 0, 0}, none}, {{2, 0, 0}, none}, {{0.3f, 1, 0.2f}, none}, {{1, 1e-7f, 0}, none}};
-  const std::vector<float> at{1, -2, 3, 0.5f, 6, none, 7, 8};  // two values a corner
-  const mq::Values values(at, 2);
+  const mq::Values values({1, -2, 3, 0.5f, 6, none, 7, 8}, 2);  // two values a corner
+  CHECK(values.known(1) == 3);
+  CHECK(values.known(2) == 1);
   const std::array<std::array<std::size_t, 3>, 4> faces{{{0, 1, 3}, {1, 3, 0}, {0, 1, 2}, {3, 1, 2}}};
   mq::Values::FourFaces four;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -90,9 +97,9 @@ TEST_CASE("mq takes the slopes of four faces at once as of each, whether regular
     four.p[k] = corners[p].position.data();
     four.q[k] = corners[q].position.data();
     four.r[k] = corners[r].position.data();
-    four.at_p[k] = &at[2 * p];
-    four.at_q[k] = &at[2 * q];
-    four.at_r[k] = &at[2 * r];
+    four.at_p[k] = values.at(static_cast<std::uint32_t>(p));
+    four.at_q[k] = values.at(static_cast<std::uint32_t>(q));
+    four.at_r[k] = values.at(static_cast<std::uint32_t>(r));
   }
   const auto check = [&] {
     std::array<mq::Values::Term, 4> terms;
@@ -119,7 +126,7 @@ TEST_CASE("mq's values cost nothing along an edge where they are linear, and the
   const auto term = values.term(p, q, r, values.at(0), values.at(1), values.at(2));
   for (std::uint32_t v = 0; v < 3; ++v) values.add(v, term);
   // From p to q by x along the edge the value changes by x, as the slope says.
-  const mq::SymmetricMatrix own = term.form + values.along(0, 1, q - p, 0);
+  const mq::SymmetricMatrix own = term.form + along(values, q - p, 0);
   CHECK((own * Vector(1, 0, 0)).dot(Vector(1, 0, 0)) == Approx(0).margin(1e-6));
   // Across it the value stays while the slope says 5: the weight times 5 squared.
   CHECK((own * Vector(0, 1, 0)).dot(Vector(0, 1, 0)) == Approx(50));
@@ -129,9 +136,9 @@ TEST_CASE("mq's values have no slope where one is NaN or the face is a sliver") 
   mq::Values values({1, NAN, 6}, 1);
   const Vector p(0, 0, 0), q(2, 0, 0), r(0, 1, 0);
   CHECK(values.term(p, q, r, values.at(0), values.at(1), values.at(2)).slopes[0].w() == 0);
-  const float ok[] = {1, 2, 3};
-  CHECK(values.term(p, q, Vector(1, 1e-6f, 0), &ok[0], &ok[1], &ok[2]).slopes[0].w() == 0);
-  CHECK(values.along(0, 1, q - p, 0).trace() == 0);
+  const mq::Values all({1, 2, 3}, 1);
+  CHECK(all.term(p, q, Vector(1, 1e-6f, 0), all.at(0), all.at(1), all.at(2)).slopes[0].w() == 0);
+  CHECK(along(values, q - p, 0).trace() == 0);
 }
 
 TEST_CASE("mq spends faces where values change if it is told to") {
