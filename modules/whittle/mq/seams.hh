@@ -37,8 +37,9 @@ inline std::vector<std::uint32_t> charts(const CornerTable& table) {
            ++c) {  // without branches, which nothing could predict
         const Corner d = table.twin(c) == kNoCorner ? c : table.twin(c);
         const std::uint32_t g = face_of(d);
-        const bool joins = !table.notes(c).is_seam(c) & (chart[g] == kNone);
-        chart[g] = joins ? seed : chart[g];
+        const std::size_t is_apart = table.notes(c).is_seam(c), is_known = chart[g] != kNone;
+        const std::size_t joins = 1 - (is_apart | is_known);
+        chart[g] = joins > 0 ? seed : chart[g];
         pending[n] = g;
         n += joins;
       }
@@ -75,8 +76,8 @@ inline void mark_seams(Mesh& mesh, const std::vector<std::array<std::uint32_t, 3
     for (Corner c = f; c < f + 3; ++c) {  // without branches that nothing could predict
       const bool is_open = table.twin(c) == kNoCorner;
       const Corner d = is_open ? c : table.twin(c);
-      const bool agrees = (wedge(c) == wedge(next(d))) & (wedge(next(c)) == wedge(d));
-      if (is_open | agrees) continue;
+      const std::uint32_t differs = (wedge(c) ^ wedge(next(d))) | (wedge(next(c)) ^ wedge(d));
+      if (is_open || differs == 0) continue;
       table.notes(c).set_seam(c);
       if (c < d) seams.push_back(c);
     }
