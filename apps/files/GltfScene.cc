@@ -48,14 +48,14 @@ void GltfScene::add(const tinygltf::Primitive& primitive, const Matrix4d& transf
   const auto position = primitive.attributes.find("POSITION");
   if (position == primitive.attributes.end()) throw Fault("a part without positions");
   if (data_.components(position->second) != 3) throw Fault("positions of other than three coordinates");
-  begin_ = vertex_of_.size();
+  begin_ = file_.mesh.points.size();
   const std::vector<float> points = data_.floats(position->second);
   const std::size_t count = points.size() / 3;
   if (begin_ + count >= no_vertex) throw Fault("more vertices than 32-bit indices can name");
   add_points(points, transform);
   for (const auto& [name, accessor] : primitive.attributes)
     if (name != "POSITION") add_attribute(name, accessor, count, transform);
-  for (auto& [name, channel] : channels_) pad(channel, vertex_of_.size());
+  for (auto& [name, channel] : channels_) pad(channel, file_.mesh.points.size());
   if (mode != TINYGLTF_MODE_POINTS)
     add_faces(primitive, count, transform.topLeftCorner<3, 3>().determinant() < 0);
   ++parts_;
@@ -67,9 +67,7 @@ void GltfScene::add_points(const std::vector<float>& points, const Matrix4d& tra
   for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
     Vector3d point(points[i], points[i + 1], points[i + 2]);
     if (!stays) point = transform.topLeftCorner<3, 3>() * point + transform.topRightCorner<3, 1>();
-    const std::uint32_t vertex = merger_.vertex(point.x(), point.y(), point.z());
-    if (vertex == first_of_.size()) first_of_.push_back(static_cast<std::uint32_t>(vertex_of_.size()));
-    vertex_of_.push_back(vertex);
+    builder_.add_point(point.x(), point.y(), point.z());
   }
 }
 
@@ -171,14 +169,11 @@ void GltfScene::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c, std:
                          bool mirrored) {
   if (mirrored) std::swap(b, c);
   face_.clear();
-  corners_.face.clear();
   for (const std::uint32_t corner : {a, b, c}) {
     const std::uint32_t known = builder_.index(corner, count);
-    const auto vertex = static_cast<std::uint32_t>(begin_ + known);
-    face_.push_back(known == no_vertex ? no_vertex : vertex_of_[vertex]);
-    corners_.face.push_back(vertex);
+    face_.push_back(known == no_vertex ? no_vertex : static_cast<std::uint32_t>(begin_ + known));
   }
-  builder_.add_face(face_, {&corners_});
+  builder_.add_face(face_);
 }
 
 void GltfScene::finish() {
@@ -195,8 +190,6 @@ void GltfScene::finish() {
         attribute.components = 3;
       }
     }
-    attribute.corners = corners_.triangles;
-    settle(attribute, file_.mesh, first_of_);
     file_.attributes.push_back(std::move(attribute));
   }
 }

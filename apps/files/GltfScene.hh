@@ -9,7 +9,6 @@
 
 #include "files/GltfData.hh"
 #include "files/MeshBuilder.hh"
-#include "files/PointMerger.hh"
 #include "files/gltf_document.hh"
 
 namespace tinygltf {
@@ -18,12 +17,11 @@ struct Primitive;
 
 namespace whittle::files {
 
-/// Takes piece after piece. glTF gives every vertex one value of each attribute and so has several vertices
-/// at one place along seams; here they become one vertex again, with corners that differ.
+/// Takes piece after piece; the vertices are those of the pieces, one piece after the other.
 class GltfScene {
  public:
   GltfScene(MeshFile& file, MeshBuilder& builder, GltfData& data)
-      : file_(file), builder_(builder), data_(data), merger_(builder) {}
+      : file_(file), builder_(builder), data_(data) {}
 
   void add(const tinygltf::Primitive& primitive, const Eigen::Matrix4d& transform);
 
@@ -50,13 +48,9 @@ class GltfScene {
   MeshFile& file_;
   MeshBuilder& builder_;
   GltfData& data_;
-  PointMerger merger_;
   std::size_t parts_ = 0;
-  std::vector<std::uint32_t> vertex_of_;  ///< the mesh's vertex for each vertex of glTF
-  std::vector<std::uint32_t> first_of_;   ///< for each vertex of the mesh its first vertex of glTF
-  std::size_t begin_ = 0;                 ///< the first vertex of the piece at hand
+  std::size_t begin_ = 0;  ///< the first vertex of the piece at hand
   std::map<std::string, Channel> channels_;
-  CornerValues corners_;
   std::vector<std::uint32_t> face_;
 };
 

@@ -41,7 +41,7 @@ struct ReadOptions {
   Repair repair = Repair::report;
   /// Vertices no farther from each other become one, in any format; a chain of them as a whole. Model units, not
   /// negative, at most 1 % of the bounding box's diagonal; 0: only at equal coordinates, and with Repair::none not even
-  /// those (but STL and glTF, which name no vertices)
+  /// those (but in STL and glTF)
   double weld = 0;
 };
 
@@ -51,7 +51,7 @@ struct ReadReport {
   Repair repair = Repair::report;      ///< as requested; decides what happened to what is counted below
   std::size_t polygons = 0;            ///< faces with more than three corners, split into fans
   std::size_t dropped_degenerate = 0;  ///< triangles that name a vertex twice, left out
-  std::size_t merged_vertices = 0;     ///< joined with another at the same place; STL and glTF: corners
+  std::size_t merged_vertices = 0;     ///< joined with another at the same place; STL: corners
   std::size_t vertices_apart = 0;      ///< at the place of another, not joined: their faces only touch
   std::size_t edges_left_open =
       0;  ///< between such, as their faces have opposite orientations; fix: turned, joined
@@ -79,9 +79,9 @@ struct MeshFile {
   IndexedMesh mesh;
   attributes::Attributes attributes;  ///< at corners only where the corners of a vertex differ
   bool single_precision = false;      ///< the file holds 32-bit floats, so writing more digits adds nothing
-  bool texture_at_vertices = false;   ///< the file has a vertex for each texture coordinate along seams
-  /// For each vertex of the file (STL and glTF: of those at different places) the mesh's; `left_out`: it is in no face
-  /// and was left out by Repair::fix. Empty: they are the same
+  bool texture_at_vertices = false;   ///< PLY, OFF: a vertex for each texture coordinate along seams
+  /// For each vertex of the file (STL: of those that were joined) the mesh's; `left_out`: it is in no face and was left
+  /// out by Repair::fix. Empty: they are the same
   std::vector<std::uint32_t> vertex_of;
   static constexpr std::uint32_t left_out = static_cast<std::uint32_t>(-1);
   ReadReport report;

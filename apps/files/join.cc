@@ -84,12 +84,12 @@ std::size_t count_apart(const IndexedMesh& mesh, const std::vector<std::uint32_t
 
 }  // namespace
 
-void join(MeshFile& file, double weld, bool turns) {
-  check_weld(file.mesh, weld);
+void join(MeshFile& file, const JoinOptions& options) {
+  check_weld(file.mesh, options.weld);
   const std::vector<std::uint32_t> place =
-      weld > 0 ? near_places(file.mesh.points, weld) : equal_places(file.mesh.points);
+      options.weld > 0 ? near_places(file.mesh.points, options.weld) : equal_places(file.mesh.points);
   if (!names_another(place) || file.mesh.triangles.empty()) return;
-  const Joined joined = pair_and_join(file.mesh, place, turns);
+  const Joined joined = pair_and_join(file.mesh, place, options);
   file.report.vertices_apart = count_apart(file.mesh, place, joined.root);
   file.report.edges_left_open = joined.opposed;
   if (!names_another(joined.root)) return;

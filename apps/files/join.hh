@@ -6,15 +6,22 @@
 
 namespace whittle::files {
 
+struct JoinOptions {
+  double weld =
+      0;  ///< how far apart vertices at one place may lie, model units; each takes the first one's coordinates
+  bool turns =
+      false;  ///< whether faces of opposite orientation are joined, too: an edge on which they disagree
+  bool alike =
+      false;  ///< whether faces on the same three places get the same vertices, whichever way round they are
+};
+
 /// Joins vertices at one place where faces meet across an edge there: one side up, one down. Where more than two sides
 /// meet, those of one piece belong together, then those between which the surface turns least. Vertices that are at
-/// one place without a common edge stay apart, and so do all whose joining would give an edge a third face: what was
-/// manifold stays manifold. Attributes that differ are at the corners afterwards. A face two of whose
-/// corners become one is left out.
-/// \param weld   how far apart vertices at one place may lie, model units; each takes the first one's coordinates
-/// \param turns  whether faces of opposite orientation are joined, too; who sets it turns them afterwards
+/// one place without a common edge stay apart, and so do all whose joining would give an edge a third face: but for
+/// what the options say, what was manifold stays manifold. Attributes that differ are at the corners afterwards. A
+/// face two of whose corners become one is left out.
 /// \throw Fault  a weld that is negative, not finite, or more than 1 % of the bounding box's diagonal
 /// \pre every index is in range
-void join(MeshFile& file, double weld, bool turns);
+void join(MeshFile& file, const JoinOptions& options);
 
 }  // namespace whittle::files

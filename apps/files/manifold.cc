@@ -3,6 +3,7 @@
 #include "files/manifold.hh"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "whittle/surface/UnionFind.hh"
@@ -67,9 +68,9 @@ NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<measure
   return found;
 }
 
-std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<measure::Side>& sides) {
-  const Triangles& triangles = mesh.triangles;
-  std::vector<bool> distinct(triangles.size(), true);
+std::vector<std::uint32_t> first_alike(const Triangles& triangles, const std::vector<measure::Side>& sides) {
+  std::vector<std::uint32_t> first(triangles.size());
+  std::iota(first.begin(), first.end(), 0U);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> thirds;  // third vertex, face
   for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
     if (end - begin < 2) return;
@@ -81,9 +82,9 @@ std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<measu
     }
     std::sort(thirds.begin(), thirds.end());
     for (std::size_t i = 1; i < thirds.size(); ++i)
-      if (thirds[i].first == thirds[i - 1].first) distinct[thirds[i].second] = false;
+      if (thirds[i].first == thirds[i - 1].first) first[thirds[i].second] = first[thirds[i - 1].second];
   });
-  return distinct;
+  return first;
 }
 
 std::size_t orient(MeshFile& file) {

@@ -25,8 +25,9 @@ NonManifold count_nonmanifold(const IndexedMesh& mesh, const std::vector<measure
 std::vector<std::uint32_t> vertices_of_several_fans(const IndexedMesh& mesh,
                                                     const std::vector<measure::Side>& sides);
 
-/// Marks the faces that are the first on their three vertices, whichever way round.
-std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<measure::Side>& sides);
+/// For each face the first one on the same three vertices, whichever way round: itself, where none is before it.
+std::vector<std::uint32_t> first_alike(const std::vector<IndexedMesh::Triangle>& triangles,
+                                       const std::vector<measure::Side>& sides);
 /// \}
 
 /// Turns faces until neighbours agree wherever that is possible: in each connected piece the fewer.

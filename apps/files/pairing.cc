@@ -16,20 +16,21 @@ using measure::next_corner;
 using measure::opposite_corner;
 using measure::Side;
 
-/// Two sides that meet, each named by the corner where it starts.
+/// Two sides that meet, each named by the corner where it starts; or two faces.
 struct Pair {
   std::uint32_t one, other;
 };
 
 class Pairing {
  public:
-  Pairing(const IndexedMesh& mesh, const std::vector<std::uint32_t>& place, bool turns)
-      : mesh_(mesh), place_(place), turns_(turns), at_(mesh.triangles), pieces_(mesh.triangles.size()) {
+  Pairing(const IndexedMesh& mesh, const std::vector<std::uint32_t>& place, const JoinOptions& options)
+      : mesh_(mesh), place_(place), turns_(options.turns), at_(mesh.triangles), pieces_(at_.size()) {
     for (IndexedMesh::Triangle& triangle : at_)
       for (std::uint32_t& corner : triangle) corner = place[corner];
     for (std::uint32_t face = 0; face < at_.size(); ++face)
       if (measure::has_vertex_twice(at_[face])) collapsing_.push_back(face);
     sides_ = measure::sides_by_edge(at_, mesh.points.size(), measure::Faces::proper);
+    if (options.alike) set_alike_aside();
   }
 
   Joined run() {
@@ -46,6 +47,16 @@ class Pairing {
   }
 
  private:
+  /// Takes faces on the places of an earlier one out of the pairing: they will have its vertices.
+  void set_alike_aside() {
+    const std::vector<std::uint32_t> first = first_alike(at_, sides_);
+    for (std::uint32_t face = 0; face < first.size(); ++face)
+      if (first[face] != face) alike_.push_back({face, first[face]});
+    if (alike_.empty()) return;
+    const auto is_aside = [&](const Side& side) { return first[side.face()] != side.face(); };
+    sides_.erase(std::remove_if(sides_.begin(), sides_.end(), is_aside), sides_.end());
+  }
+
   bool is_up(std::uint32_t corner) const { return place_at(corner) < place_at(next_corner(corner)); }
   std::uint32_t place_at(std::uint32_t corner) const { return measure::vertex_of(at_, corner); }
   std::uint32_t vertex_at(std::uint32_t corner) const { return measure::vertex_of(mesh_.triangles, corner); }
@@ -84,17 +95,22 @@ class Pairing {
   }
 
   void pair_certain(const Side* begin, const Side* end) {
+    if (end - begin == 2) return pair_two(begin[0].corner, begin[1].corner);
     if (end - begin < 2) return;
     const std::vector<std::uint32_t> free = free_sides(begin, end);
-    if (free.size() < 2) return;
-    if (free.size() > 2) {
-      ambiguous_.push_back({begin, end});
-    } else if (!coincide(free[0], free[1])) {
-      if (is_up(free[0]) != is_up(free[1]))
-        pair(free[0], free[1]);
-      else
-        pair_opposed(free[0], free[1]);
-    }
+    if (free.size() == 2) pair_two(free[0], free[1]);
+    if (free.size() > 2) ambiguous_.push_back({begin, end});
+  }
+
+  void pair_two(std::uint32_t one, std::uint32_t other) {
+    if (ends(one) == ends(other))
+      pieces_.join(one / 3, other / 3);
+    else if (coincide(one, other))
+      return;
+    else if (is_up(one) != is_up(other))
+      pair(one, other);
+    else
+      pair_opposed(one, other);
   }
 
   /// Two sides of the same direction: of a surface whose faces are turned, or of two that lie over one another.
@@ -165,6 +181,10 @@ class Pairing {
       for (std::uint32_t corner = 3 * face; corner < 3 * face + 3; ++corner)
         if (place_at(corner) == place_at(next_corner(corner)) && !is_apart[place_at(corner)])
           vertices.join(vertex_at(corner), vertex_at(next_corner(corner)));
+    for (const Pair& faces : alike_)
+      for (std::uint32_t a = 3 * faces.one; a < 3 * faces.one + 3; ++a)
+        for (std::uint32_t b = 3 * faces.other; b < 3 * faces.other + 3; ++b)
+          if (place_at(a) == place_at(b) && !is_apart[place_at(a)]) vertices.join(vertex_at(a), vertex_at(b));
     for (const Pair& pair : pairs_) {
       const auto [low, high] = ends(pair.one);
       if (is_apart[place_[low]] || is_apart[place_[high]]) continue;
@@ -237,6 +257,7 @@ class Pairing {
   bool turns_;
   std::vector<IndexedMesh::Triangle> at_;  // the faces, of places
   std::vector<std::uint32_t> collapsing_;  // faces with two corners at one place
+  std::vector<Pair> alike_;                // faces on the places of earlier ones, and those
   std::vector<Side> sides_;                // of the others, by place
   detail::UnionFind pieces_;               // faces that hang together
   std::vector<Pair> pairs_;
@@ -246,8 +267,9 @@ class Pairing {
 
 }  // namespace
 
-Joined pair_and_join(const IndexedMesh& mesh, const std::vector<std::uint32_t>& place, bool turns) {
-  return Pairing(mesh, place, turns).run();
+Joined pair_and_join(const IndexedMesh& mesh, const std::vector<std::uint32_t>& place,
+                     const JoinOptions& options) {
+  return Pairing(mesh, place, options).run();
 }
 
 }  // namespace whittle::files

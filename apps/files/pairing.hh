@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "whittle/surface/IndexedMesh.hh"
+#include "files/join.hh"
 
 namespace whittle::files {
 
@@ -15,9 +15,10 @@ struct Joined {
   std::size_t opposed = 0;  ///< edges left open since their two faces run along them in the same direction
 };
 
-/// Joins vertices at one place as join() says.
+/// Joins vertices at one place as join() says. Faces with two corners at one place are looked through: their
+/// neighbours meet.
 /// \param place  for each vertex the first one at its place
-/// Faces with two corners at one place are looked through: their neighbours meet.
-Joined pair_and_join(const IndexedMesh& mesh, const std::vector<std::uint32_t>& place, bool turns);
+Joined pair_and_join(const IndexedMesh& mesh, const std::vector<std::uint32_t>& place,
+                     const JoinOptions& options);
 
 }  // namespace whittle::files

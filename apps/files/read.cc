@@ -97,9 +97,13 @@ auto naming_input(const std::filesystem::path& path, const std::size_t& line, Ac
 MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line) {
   MeshFile file = read_format(bytes, format, options, line);
   line = 0;
-  // OM has half-edges, which say what hangs together.
-  const bool joins = options.weld != 0 || (options.repair != Repair::none && format != Format::om);
-  if (joins) join(file, options.weld, options.repair == Repair::fix);
+  // STL has corners only; glTF doubles every vertex along seams; OM has half-edges, which say what hangs together.
+  const bool is_stl = format == Format::stl, is_gltf = format == Format::glb || format == Format::gltf;
+  const bool joins =
+      options.weld != 0 || is_stl || is_gltf || (options.repair != Repair::none && format != Format::om);
+  if (joins) join(file, {options.weld, is_stl || options.repair == Repair::fix, is_stl});
+  if (is_stl) file.vertex_of.clear();
+  if (is_gltf) file.texture_at_vertices = false;  // glTF has no other way, so it says nothing about PLY
   repair(file, options.repair);
   return file;
 }

@@ -33,6 +33,14 @@ std::vector<measure::Side> sides_of(const IndexedMesh& mesh) {
   return measure::sides_by_edge(mesh.triangles, mesh.points.size());
 }
 
+/// Marks the faces that are the first on their three vertices.
+std::vector<bool> mark_distinct(const IndexedMesh& mesh, const std::vector<measure::Side>& sides) {
+  const std::vector<std::uint32_t> first = first_alike(mesh.triangles, sides);
+  std::vector<bool> distinct(first.size());
+  for (std::uint32_t face = 0; face < first.size(); ++face) distinct[face] = first[face] == face;
+  return distinct;
+}
+
 void count(MeshFile& file, const std::vector<measure::Side>& sides) {
   const NonManifold found = count_nonmanifold(file.mesh, sides);
   file.report.nonmanifold_edges = found.edges;

@@ -1,5 +1,5 @@
 /// \file
-/// STL, as text and binary. It names no vertices: corners that are bitwise equal become one.
+/// STL, as text and binary. It names no vertices: every corner is one, for join() to find those that are the same.
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <limits>
@@ -8,7 +8,6 @@
 #include "files/Choice.hh"
 #include "files/Fault.hh"
 #include "files/MeshBuilder.hh"
-#include "files/PointMerger.hh"
 #include "files/TextReader.hh"
 #include "files/TextWriter.hh"
 #include "files/bytes.hh"
@@ -26,7 +25,7 @@ using Point = IndexedMesh::Point;
 class TextStl {
  public:
   TextStl(std::string_view bytes, std::size_t& line, MeshBuilder& builder)
-      : in_(bytes, line, {}), builder_(builder), merger_(builder) {}
+      : in_(bytes, line, {}), builder_(builder) {}
 
   /// One solid or several.
   void read() {
@@ -55,7 +54,8 @@ class TextStl {
       const float x = in_.real<float>();
       const float y = in_.real<float>();
       const float z = in_.real<float>();
-      corners_.push_back(merger_.vertex(x, y, z));
+      corners_.push_back(static_cast<std::uint32_t>(builder_.mesh().points.size()));
+      builder_.add_point(x, y, z);
     }
     check(word, "endloop");
     expect("endfacet");
@@ -77,7 +77,6 @@ class TextStl {
 
   TextReader in_;
   MeshBuilder& builder_;
-  PointMerger merger_;
   std::vector<std::uint32_t> corners_;
 };
 
@@ -93,7 +92,7 @@ void read_binary(std::string_view bytes, MeshBuilder& builder) {
     throw Fault("the file is cut off: it has room for " + std::to_string(bytes.size() / triangle_bytes) +
                 " of " + std::to_string(count) + " triangles");
   builder.mesh().triangles.reserve(count);
-  PointMerger merger(builder);
+  builder.mesh().points.reserve(3 * count);
   std::vector<std::uint32_t> corners(3);
   for (std::size_t i = 0; i < count; ++i) {
     const char* triangle = bytes.data() + i * triangle_bytes;
@@ -102,7 +101,8 @@ void read_binary(std::string_view bytes, MeshBuilder& builder) {
     };
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t x = 3 * (k + 1);  // the normal comes first
-      corners[k] = merger.vertex(coordinate(x), coordinate(x + 1), coordinate(x + 2));
+      corners[k] = static_cast<std::uint32_t>(3 * i + k);
+      builder.add_point(coordinate(x), coordinate(x + 1), coordinate(x + 2));
     }
     builder.add_face(corners);
     if (load<std::uint16_t>(triangle + 48, ByteOrder::little) != 0) builder.ignore("face attributes");

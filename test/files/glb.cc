@@ -128,11 +128,17 @@ TEST_CASE("glTF: parts are joined, and what they lack is made up for") {
   json["meshes"][1]["primitives"][0]["attributes"].erase("NORMAL");
   const MeshFile file = folder.read("a.gltf", gltf_text(json));
   CHECK(file.report.parts == 3);
-  CHECK(file.mesh.points.size() == 7);  // the second shares one with the first
+  CHECK(file.mesh.points.size() == 12);  // they touch, but have no edge in common
   CHECK(file.mesh.triangles.size() == 6);
   CHECK(file.report.missing_values == 4);
   CHECK(file.report.notes()[0] == "3 parts of the scene joined into one mesh");
-  CHECK(file.report.duplicate_faces == 2);
+  CHECK(file.report.vertices_apart == 9);
+
+  json["nodes"][1]["translation"] = {0, 1,
+                                     0.5};  // the edge from (0, 1, 0.5) is that from (0, 0, 0) of the first
+  json["scenes"][0]["nodes"] = {0, 1};
+  const MeshFile apart = folder.read("a.gltf", gltf_text(json));
+  CHECK(apart.mesh.points.size() == 8);
 }
 
 TEST_CASE("glTF: strips, fans and no indices") {

@@ -30,10 +30,10 @@ void append(IndexedMesh& mesh, const IndexedMesh& more, const IndexedMesh::Point
   for (const auto& [a, b, c] : more.triangles) mesh.triangles.push_back({n + a, n + b, n + c});
 }
 
-MeshFile joined(const IndexedMesh& mesh, double weld = 0, bool turns = false) {
+MeshFile joined(const IndexedMesh& mesh, double weld = 0) {
   MeshFile file;
   file.mesh = mesh;
-  join(file, weld, turns);
+  join(file, {weld});
   return file;
 }
 
@@ -58,6 +58,25 @@ void check_manifold_and_closed(const IndexedMesh& mesh) {
   CHECK(edges_of(mesh).open == 0);
   CHECK(nonmanifold(mesh).edges == 0);
   CHECK(nonmanifold(mesh).vertices == 0);
+}
+
+/// The cube between (0, 0, 0) and (1, 1, 1).
+IndexedMesh box() {
+  IndexedMesh mesh;
+  for (int i = 0; i < 8; ++i) mesh.points.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+/// A scalar that has another value on each face.
+Attribute face_numbers(const IndexedMesh& mesh) {
+  Attribute number = scalar("face", {});
+  for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
+    number.values.push_back(static_cast<float>(face));
+    number.corners.push_back({face, face, face});
+  }
+  return number;
 }
 
 /// square() with its diagonal doubled: the second face has vertices of its own.
@@ -174,6 +193,75 @@ TEST_CASE("join: bodies that touch at a vertex or along an edge stay two") {
     CHECK(file.mesh.points.size() == 8);
     check_manifold_and_closed(file.mesh);
   }
+}
+
+TEST_CASE(
+    "join: bodies in STL and GLB files that touch at a vertex or along an edge stay two, and are closed") {
+  // Two tetrahedra that share the place of their first vertex, two boxes that share those of an edge.
+  IndexedMesh tetrahedra = meshes::tetrahedron(), turned = tetrahedra;
+  for (IndexedMesh::Point& point : turned.points) point = -point;
+  for (IndexedMesh::Triangle& triangle : turned.triangles) std::swap(triangle[1], triangle[2]);
+  append(tetrahedra, turned);
+  IndexedMesh boxes = box();
+  append(boxes, box(), {1, 1, 0});
+  const Folder folder;
+  for (const auto& [mesh, apart] : {std::pair(tetrahedra, 2U), std::pair(boxes, 4U)}) {
+    // GLB as most exporters write it: each face with vertices of its own, for its normal.
+    write_mesh(folder / "a.glb", mesh, {}, {face_numbers(mesh)});
+    write_mesh(folder / "b.glb", mesh);
+    write_mesh(folder / "c.stl", mesh);
+    WriteOptions text;
+    text.ascii = true;
+    write_mesh(folder / "d.stl", mesh, text);
+    for (const char* name : {"a.glb", "b.glb", "c.stl", "d.stl"}) {
+      for (const Repair repair : {Repair::none, Repair::report, Repair::fix}) {
+        const MeshFile file = read_mesh(folder / name, {repair});
+        INFO(name << ", repair " << to_string(repair));
+        CHECK(file.mesh.points.size() == mesh.points.size());
+        CHECK(file.mesh.triangles.size() == mesh.triangles.size());
+        CHECK(file.report.vertices_apart == apart);
+        CHECK(file.report.copied_vertices == 0);
+        CHECK(unsound(file) == nullptr);
+        check_manifold_and_closed(file.mesh);
+      }
+    }
+  }
+}
+
+TEST_CASE("join: a seam that a GLB file doubles is one edge, with what differs at its corners") {
+  const Folder folder;
+  Attribute texture = square_seam();
+  texture.downwards = true;
+  write_mesh(folder / "a.glb", square(), {}, {texture});
+  const MeshFile file = read_mesh(folder / "a.glb");
+  CHECK(file.mesh.points == square().points);
+  CHECK(file.mesh.triangles == square().triangles);
+  CHECK(file.vertex_of == std::vector<std::uint32_t>{0, 0, 1, 2, 2, 3});
+  CHECK(file.report.notes() == Names{"2 vertices joined with others at the same place"});
+  REQUIRE(file.attributes.size() == 1);
+  CHECK(same_attribute(file.attributes[0], texture, square()));
+  CHECK_FALSE(file.attributes[0].per_vertex());
+}
+
+TEST_CASE("join: of STL, faces that lie on one another or are turned round meet for the repair to mend") {
+  const Folder folder;
+  IndexedMesh mesh = meshes::tetrahedron();
+  std::swap(mesh.triangles[3][1], mesh.triangles[3][2]);  // turned round
+  mesh.triangles.push_back(mesh.triangles[0]);            // twice, both ways round
+  mesh.triangles.push_back({mesh.triangles[0][0], mesh.triangles[0][2], mesh.triangles[0][1]});
+  write_mesh(folder / "a.stl", mesh);
+  const MeshFile report = read_mesh(folder / "a.stl");
+  CHECK(report.mesh.points.size() == 4);
+  CHECK(report.mesh.triangles.size() == 6);
+  CHECK(report.report.duplicate_faces == 2);
+  CHECK(report.report.nonmanifold_edges ==
+        5);  // three of the face that is there thrice, two of the turned one
+  CHECK(report.vertex_of.empty());
+  const MeshFile fixed = read_mesh(folder / "a.stl", {Repair::fix});
+  CHECK(fixed.mesh.points.size() == 4);
+  CHECK(fixed.mesh.triangles.size() == 4);
+  CHECK(fixed.report.turned_faces == 1);
+  check_manifold_and_closed(fixed.mesh);
 }
 
 TEST_CASE("join: the front and the back of a sheet stay two") {
