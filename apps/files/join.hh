@@ -7,12 +7,13 @@
 namespace whittle::files {
 
 struct JoinOptions {
-  double weld =
-      0;  ///< how far apart vertices at one place may lie, model units; each takes the first one's coordinates
-  bool turns =
-      false;  ///< whether faces of opposite orientation are joined, too: an edge on which they disagree
-  bool alike =
-      false;  ///< whether faces on the same three places get the same vertices, whichever way round they are
+  /// How far apart vertices at one place may lie, model units; each takes the first one's coordinates
+  double weld = 0;
+  /// Whether faces that are turned against each other are joined, too, for the repair to turn them
+  bool turns = false;
+  /// Whether nothing says which vertices are the same, as in STL: two faces at an edge are joined however they are turned,
+  /// and faces on the same three places have the same vertices, for the repair to leave them out
+  bool soup = false;
 };
 
 /// Joins vertices at one place where faces meet across an edge there: one side up, one down. Where more than two sides

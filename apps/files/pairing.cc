@@ -24,13 +24,18 @@ struct Pair {
 class Pairing {
  public:
   Pairing(const IndexedMesh& mesh, const std::vector<std::uint32_t>& place, const JoinOptions& options)
-      : mesh_(mesh), place_(place), turns_(options.turns), at_(mesh.triangles), pieces_(at_.size()) {
+      : mesh_(mesh),
+        place_(place),
+        turns_(options.turns || options.soup),
+        is_soup_(options.soup),
+        at_(mesh.triangles),
+        pieces_(at_.size()) {
     for (IndexedMesh::Triangle& triangle : at_)
       for (std::uint32_t& corner : triangle) corner = place[corner];
     for (std::uint32_t face = 0; face < at_.size(); ++face)
       if (measure::has_vertex_twice(at_[face])) collapsing_.push_back(face);
     sides_ = measure::sides_by_edge(at_, mesh.points.size(), measure::Faces::proper);
-    if (options.alike) set_alike_aside();
+    if (is_soup_) set_alike_aside();
   }
 
   Joined run() {
@@ -115,6 +120,7 @@ class Pairing {
 
   /// Two sides of the same direction: of a surface whose faces are turned, or of two that lie over one another.
   void pair_opposed(std::uint32_t one, std::uint32_t other) {
+    if (is_soup_) return pair(one, other);
     const Vector3d a = point(one), along = (point(next_corner(one)) - a).normalized();
     const auto across = [&](std::uint32_t corner) {
       const Vector3d d = point(opposite_corner(corner)) - a;
@@ -254,7 +260,7 @@ class Pairing {
 
   const IndexedMesh& mesh_;
   const std::vector<std::uint32_t>& place_;
-  bool turns_;
+  bool turns_, is_soup_;
   std::vector<IndexedMesh::Triangle> at_;  // the faces, of places
   std::vector<std::uint32_t> collapsing_;  // faces with two corners at one place
   std::vector<Pair> alike_;                // faces on the places of earlier ones, and those

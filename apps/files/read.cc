@@ -101,7 +101,7 @@ MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options
   const bool is_stl = format == Format::stl, is_gltf = format == Format::glb || format == Format::gltf;
   const bool joins =
       options.weld != 0 || is_stl || is_gltf || (options.repair != Repair::none && format != Format::om);
-  if (joins) join(file, {options.weld, is_stl || options.repair == Repair::fix, is_stl});
+  if (joins) join(file, {options.weld, options.repair == Repair::fix, is_stl});
   if (is_stl) file.vertex_of.clear();
   if (is_gltf) file.texture_at_vertices = false;  // glTF has no other way, so it says nothing about PLY
   repair(file, options.repair);

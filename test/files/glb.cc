@@ -133,12 +133,6 @@ TEST_CASE("glTF: parts are joined, and what they lack is made up for") {
   CHECK(file.report.missing_values == 4);
   CHECK(file.report.notes()[0] == "3 parts of the scene joined into one mesh");
   CHECK(file.report.vertices_apart == 9);
-
-  json["nodes"][1]["translation"] = {0, 1,
-                                     0.5};  // the edge from (0, 1, 0.5) is that from (0, 0, 0) of the first
-  json["scenes"][0]["nodes"] = {0, 1};
-  const MeshFile apart = folder.read("a.gltf", gltf_text(json));
-  CHECK(apart.mesh.points.size() == 8);
 }
 
 TEST_CASE("glTF: strips, fans and no indices") {
