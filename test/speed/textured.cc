@@ -29,6 +29,29 @@ double texture_area(const attributes::Attribute& texture, std::size_t face) {
   return (q.x() * r.y() - q.y() * r.x()) / 2;
 }
 
+/// The least and the largest area of a face in the texture, of its area in space.
+std::pair<double, double> scales(const IndexedMesh& mesh, const attributes::Attribute& texture) {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const double scale = texture_area(texture, f) / measure::corners(mesh, mesh.triangles[f]).area();
+    least = std::min(least, scale);
+    most = std::max(most, scale);
+  }
+  return {least, most};
+}
+
+/// Whether the charts are in the unit square and their boxes apart.
+void check_apart(const Charts& all, const attributes::Attribute& texture) {
+  std::vector<Eigen::AlignedBox2d> boxes(all.count);
+  for (std::size_t f = 0; f < texture.corners.size(); ++f)
+    for (const std::uint32_t value : texture.corners[f])
+      boxes[all.of_face[f]].extend(place_of(texture, value));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    CHECK(Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones()).contains(boxes[i]));
+    for (std::size_t k = i + 1; k < boxes.size(); ++k) CHECK(boxes[i].intersection(boxes[k]).isEmpty());
+  }
+}
+
 }  // namespace
 
 TEST_CASE("the sphere of the textured suite is closed and has six charts") {
@@ -54,26 +77,23 @@ TEST_CASE("grown atlases have the charts that their published figures are about"
 
 TEST_CASE("unwrapped atlases are in one scale, no chart over another, and no face is turned") {
   const IndexedMesh mesh = speed::sphere_in_six_charts(12).mesh;
-  const attributes::Attribute texture = speed::unwrapped_atlas(mesh, 60);
-  const Charts all = charts(mesh.triangles, texture.corners);
+  const attributes::Attribute unwrapped = speed::unwrapped_atlas(mesh, 60);
+  const Charts all = charts(mesh.triangles, unwrapped.corners);
   CHECK(all.count >= 4);
   CHECK(all.count <= 40);
-  double least = HUGE_VAL, most = 0;
-  std::vector<Eigen::AlignedBox2d> boxes(all.count);
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    const double area = texture_area(texture, f);
-    const double ratio = area / measure::corners(mesh, mesh.triangles[f]).area();
-    least = std::min(least, ratio);
-    most = std::max(most, ratio);
-    for (const std::uint32_t value : texture.corners[f])
-      boxes[all.of_face[f]].extend(place_of(texture, value));
-  }
+  const auto [least, most] = scales(mesh, unwrapped);
   CHECK(least > 0);
   CHECK(most < 100 * least);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    CHECK(Eigen::AlignedBox2d(Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones()).contains(boxes[i]));
-    for (std::size_t k = i + 1; k < boxes.size(); ++k) CHECK(boxes[i].intersection(boxes[k]).isEmpty());
-  }
+  check_apart(all, unwrapped);
+
+  // Of a cube: six, in which faces at the corners, whose normals are (1, 1, 1), are smallest by their cosine.
+  const attributes::Attribute cubic = speed::cubic_atlas(mesh);
+  const Charts six = charts(mesh.triangles, cubic.corners);
+  CHECK(six.count == 6);
+  const auto [smallest, largest] = scales(mesh, cubic);
+  CHECK(smallest > 0.577 * largest);
+  CHECK(smallest < 0.65 * largest);
+  check_apart(six, cubic);
 }
 
 TEST_CASE("the textured suite measures its models and what others have made of them, and sets both out") {

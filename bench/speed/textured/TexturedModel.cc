@@ -123,6 +123,11 @@ std::vector<Recipe> over_the_cache(const std::filesystem::path& cache) {
                      made.paint = unwrapped_atlas(made.mesh, 60);
                      return made;
                    }});
+    out.push_back({stem + "-cubed", Half::held_out, [path] {
+                     Painted made{files::read_mesh(path).mesh, {}};
+                     made.paint = cubic_atlas(made.mesh);
+                     return made;
+                   }});
   }
   return out;
 }

@@ -109,17 +109,26 @@ std::vector<std::vector<std::uint32_t>> grown(const std::vector<std::vector<std:
   return charts;
 }
 
-/// A chart on the plane of its first face.
+/// The directions in space of a texture's axes.
+struct Plane {
+  Vector3d right, up;
+};
+
+Plane plane_of(const IndexedMesh& mesh, std::uint32_t face) {
+  const measure::Corners at = measure::corners(mesh, mesh.triangles[face]);
+  const Vector3d right = (at.b - at.a).normalized(), edge = at.c - at.a;
+  return {right, (edge - right.dot(edge) * right).normalized()};
+}
+
+/// A chart on a plane.
 class Flattened {
  public:
-  Flattened(const IndexedMesh& mesh, const std::vector<std::uint32_t>& faces) {
-    const measure::Corners first = measure::corners(mesh, mesh.triangles[faces.front()]);
-    const Vector3d right = (first.b - first.a).normalized(), edge = first.c - first.a;
-    const Vector3d up = (edge - right.dot(edge) * right).normalized();
+  Flattened(const IndexedMesh& mesh, const std::vector<std::uint32_t>& faces, const Plane& plane) {
+    const Vector3d origin = mesh.points[mesh.triangles[faces.front()][0]];
     for (const std::uint32_t f : faces)
       for (const std::uint32_t v : mesh.triangles[f]) {
-        const Vector3d from = mesh.points[v] - first.a;
-        const auto [place, is_new] = places.emplace(v, Vector2d(right.dot(from), up.dot(from)));
+        const Vector3d from = mesh.points[v] - origin;
+        const auto [place, is_new] = places.emplace(v, Vector2d(plane.right.dot(from), plane.up.dot(from)));
         if (is_new) box.extend(place->second);
       }
   }
@@ -157,6 +166,14 @@ class Atlas {
   attributes::Attribute texture_;
 };
 
+std::vector<Vector3d> face_normals(const IndexedMesh& mesh) {
+  std::vector<Vector3d> normals;
+  for (const auto& t : mesh.triangles) normals.push_back(measure::corners(mesh, t).normal().normalized());
+  return normals;
+}
+
+constexpr std::size_t kFewest = 12;  // faces of a chart that is made to follow the shape
+
 /// Gives the faces of charts with fewer than so many to the chart next to each, largest first, where there is one.
 void join_small(std::vector<std::vector<std::uint32_t>>& charts,
                 const std::vector<std::vector<std::uint32_t>>& next_to, std::size_t fewest) {
@@ -181,43 +198,11 @@ void join_small(std::vector<std::vector<std::uint32_t>>& charts,
                charts.end());
 }
 
-}  // namespace
-
-attributes::Attribute grown_atlas(const IndexedMesh& mesh, std::size_t faces_per_chart) {
-  const auto charts =
-      grown(neighbours(mesh), shuffled(static_cast<std::uint32_t>(mesh.triangles.size())),
-            [&](std::uint32_t, std::uint32_t, std::size_t size) { return size < faces_per_chart; });
-  const double side = std::ceil(std::sqrt(static_cast<double>(charts.size())));
-  Atlas atlas(mesh);
-  for (std::size_t i = 0; i < charts.size(); ++i) {
-    constexpr double kRim = 0.03;  // of a cell, on each side
-    const Flattened flat(mesh, charts[i]);
-    const double size = flat.box.sizes().maxCoeff(), row = std::floor(static_cast<double>(i) / side);
-    const Vector2d cell(static_cast<double>(i) - side * row, row);
-    atlas.add(charts[i], flat, (cell + Vector2d(kRim, kRim)) / side,
-              (1 - 2 * kRim) / (side * (size > 0 ? size : 1)));
-  }
-  return atlas.take();
-}
-
-attributes::Attribute unwrapped_atlas(const IndexedMesh& mesh, double degrees) {
-  constexpr std::size_t kFewest = 12;
-  const auto next_to = neighbours(mesh);
-  std::vector<Vector3d> normals;
-  for (const auto& t : mesh.triangles) normals.push_back(measure::corners(mesh, t).normal().normalized());
-  const double least = std::cos(degrees * detail::kPi / 180);
-  auto charts = grown(next_to, shuffled(static_cast<std::uint32_t>(mesh.triangles.size())),
-                      [&](std::uint32_t first, std::uint32_t next, std::size_t) {
-                        return normals[first].dot(normals[next]) > least;
-                      });
-  join_small(charts, next_to, kFewest);
-
-  std::vector<Flattened> flat;
+/// Puts charts in rows, the highest first, in one scale.
+attributes::Attribute packed(const IndexedMesh& mesh, const std::vector<std::vector<std::uint32_t>>& charts,
+                             const std::vector<Flattened>& flat) {
   double area = 0;
-  for (const auto& faces : charts) {
-    flat.emplace_back(mesh, faces);
-    area += flat.back().box.volume();
-  }
+  for (const Flattened& chart : flat) area += chart.box.volume();
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -243,6 +228,67 @@ attributes::Attribute unwrapped_atlas(const IndexedMesh& mesh, double degrees) {
   Atlas atlas(mesh);
   for (std::size_t i = 0; i < charts.size(); ++i) atlas.add(charts[i], flat[i], scale * at[i], scale);
   return atlas.take();
+}
+
+}  // namespace
+
+attributes::Attribute grown_atlas(const IndexedMesh& mesh, std::size_t faces_per_chart) {
+  const auto charts =
+      grown(neighbours(mesh), shuffled(static_cast<std::uint32_t>(mesh.triangles.size())),
+            [&](std::uint32_t, std::uint32_t, std::size_t size) { return size < faces_per_chart; });
+  const double side = std::ceil(std::sqrt(static_cast<double>(charts.size())));
+  Atlas atlas(mesh);
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    constexpr double kRim = 0.03;  // of a cell, on each side
+    const Flattened flat(mesh, charts[i], plane_of(mesh, charts[i].front()));
+    const double size = flat.box.sizes().maxCoeff(), row = std::floor(static_cast<double>(i) / side);
+    const Vector2d cell(static_cast<double>(i) - side * row, row);
+    atlas.add(charts[i], flat, (cell + Vector2d(kRim, kRim)) / side,
+              (1 - 2 * kRim) / (side * (size > 0 ? size : 1)));
+  }
+  return atlas.take();
+}
+
+attributes::Attribute unwrapped_atlas(const IndexedMesh& mesh, double degrees) {
+  const auto next_to = neighbours(mesh);
+  const std::vector<Vector3d> normals = face_normals(mesh);
+  const double least = std::cos(degrees * detail::kPi / 180);
+  auto charts = grown(next_to, shuffled(static_cast<std::uint32_t>(mesh.triangles.size())),
+                      [&](std::uint32_t first, std::uint32_t next, std::size_t) {
+                        return normals[first].dot(normals[next]) > least;
+                      });
+  join_small(charts, next_to, kFewest);
+  std::vector<Flattened> flat;
+  for (const auto& faces : charts) flat.emplace_back(mesh, faces, plane_of(mesh, faces.front()));
+  return packed(mesh, charts, flat);
+}
+
+attributes::Attribute cubic_atlas(const IndexedMesh& mesh) {
+  struct Look {
+    int axis;
+    bool forwards;
+  };
+  std::vector<Look> looks;
+  for (const Vector3d& normal : face_normals(mesh)) {
+    Look look{0, false};
+    normal.cwiseAbs().maxCoeff(&look.axis);
+    look.forwards = normal[look.axis] > 0;
+    looks.push_back(look);
+  }
+  const auto next_to = neighbours(mesh);
+  std::vector<std::uint32_t> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  auto charts = grown(next_to, order, [&](std::uint32_t first, std::uint32_t next, std::size_t) {
+    return looks[first].axis == looks[next].axis && looks[first].forwards == looks[next].forwards;
+  });
+  join_small(charts, next_to, kFewest);
+  std::vector<Flattened> flat;
+  for (const auto& faces : charts) {
+    const Look& look = looks[faces.front()];
+    const Vector3d right = Vector3d::Unit((look.axis + 1) % 3), up = Vector3d::Unit((look.axis + 2) % 3);
+    flat.emplace_back(mesh, faces, look.forwards ? Plane{right, up} : Plane{up, right});
+  }
+  return packed(mesh, charts, flat);
 }
 
 }  // namespace whittle::speed

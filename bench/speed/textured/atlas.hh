@@ -19,4 +19,8 @@ attributes::Attribute grown_atlas(const IndexedMesh& mesh, std::size_t faces_per
 /// chart of a few faces joins a neighbour.
 attributes::Attribute unwrapped_atlas(const IndexedMesh& mesh, double degrees);
 
+/// Charts of connected faces that look along the same axis more than along another, one way, each projected along that
+/// axis, all in one scale and packed in rows: a cube projection. What remains as a chart of a few faces joins a neighbour.
+attributes::Attribute cubic_atlas(const IndexedMesh& mesh);
+
 }  // namespace whittle::speed
