@@ -42,9 +42,10 @@ class Pairing {
     for_each_edge(sides_, [&](const Side* begin, const Side* end) { pair_certain(begin, end); });
     for (const auto& [begin, end] : ambiguous_) pair_ambiguous(begin, end);
     std::vector<bool> is_apart(mesh_.points.size(), false);
-    while (part_crowded(is_apart) || part_touching(is_apart)) continue;
-    Joined joined;
     detail::UnionFind vertices = joined_vertices(is_apart);
+    while (part_crowded(vertices, is_apart) || part_touching(vertices, is_apart))
+      vertices = joined_vertices(is_apart);
+    Joined joined;
     joined.root.resize(mesh_.points.size());
     for (std::uint32_t v = 0; v < joined.root.size(); ++v) joined.root[v] = vertices.root(v);
     joined.opposed = opposed_;
@@ -204,12 +205,12 @@ class Pairing {
   /// Finds edges that joining would give a third face, or a second one of the same direction; one end of each is not
   /// to be joined.
   /// \return whether there are any
-  bool part_crowded(std::vector<bool>& is_apart) const {
-    detail::UnionFind vertices = joined_vertices(is_apart);
+  bool part_crowded(detail::UnionFind& vertices, std::vector<bool>& is_apart) const {
     bool any = false;
     std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> at;  // joined ends, corner
     for_each_edge(sides_, [&](const Side* begin, const Side* end) {
       if (end - begin < 2) return;
+      if (end - begin == 2 && (turns_ || is_up(begin[0].corner) != is_up(begin[1].corner))) return;
       at.clear();
       for (const Side* side = begin; side < end; ++side) {
         const auto [low, high] = ends(side->corner);
@@ -238,9 +239,8 @@ class Pairing {
 
   /// Finds vertices that joining would give a second fan of faces, as only the ends of an edge at one place can.
   /// \return whether there are any
-  bool part_touching(std::vector<bool>& is_apart) const {
+  bool part_touching(detail::UnionFind& vertices, std::vector<bool>& is_apart) const {
     if (collapsing_.empty()) return false;
-    detail::UnionFind vertices = joined_vertices(is_apart);
     IndexedMesh joined;
     joined.points = mesh_.points;
     std::vector<std::uint32_t> joined_with(mesh_.points.size(), 0);

@@ -68,14 +68,14 @@ inline std::vector<Side> sides_by_edge(const std::vector<IndexedMesh::Triangle>&
   for (std::size_t vertex = 0; vertex < vertices; ++vertex) begins[vertex + 1] += begins[vertex];
 
   std::vector<Side> sides(begins[vertices]);
-  std::vector<std::size_t> next(begins.begin(), begins.end() - 1);
+  std::vector<std::size_t>& ends = begins;  // which the buckets' begins become as they are filled
   for_each_side([&](std::uint32_t low, std::uint32_t high, std::uint32_t corner) {
-    sides[next[low]++] = {low, high, corner};
+    sides[ends[low]++] = {low, high, corner};
   });
-  for (std::size_t vertex = 0; vertex < vertices; ++vertex)
-    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begins[vertex]),
-              sides.begin() + static_cast<std::ptrdiff_t>(begins[vertex + 1]),
-              [](const Side& a, const Side& b) {
+  std::size_t begin = 0;
+  for (std::size_t vertex = 0; vertex < vertices; begin = ends[vertex++])
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin),
+              sides.begin() + static_cast<std::ptrdiff_t>(ends[vertex]), [](const Side& a, const Side& b) {
                 return a.high != b.high ? a.high < b.high : a.corner < b.corner;
               });
   return sides;
