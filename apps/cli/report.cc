@@ -64,10 +64,11 @@ std::string why_missed(const recipe::Recipe& recipe, const files::ReadReport& re
   std::string why;
   for (const std::string& reason : missed_because(recipe, read, result))
     why += (why.empty() ? "" : "; ") + reason;
-  if (!result.attainable.is_higher) return why;
-  const bool pieces_would_go =
-      result.attainable.small > 0 && recipe.pieces.what != recipe::PieceRule::What::by_error;
-  return why + (pieces_would_go ? "; --pieces by-error lets pieces go" : "") + "; --force goes on";
+  // Where faces stand alone for want of a weld, each is a piece, and its going would tear a hole.
+  const bool pieces_would_go = !why.empty() && result.attainable.small > 0 && read.lone_faces == 0 &&
+                               recipe.pieces.what != recipe::PieceRule::What::by_error;
+  return why + (pieces_would_go ? "; --pieces by-error lets pieces go" : "") +
+         (result.attainable.is_higher ? "; --force goes on" : "");
 }
 
 std::string figure(double value) {

@@ -55,7 +55,7 @@ struct ReadReport {
   std::size_t vertices_apart = 0;      ///< at the place of another, not joined: their faces only touch
   std::size_t edges_left_open =
       0;  ///< between such, as their faces have opposite orientations; fix: turned, joined
-  std::size_t lone_faces = 0;      ///< that share no edge, where nine faces in ten are so; else 0
+  std::size_t lone_faces = 0;      ///< that share no edge, where half of all are so; else 0
   std::size_t parts = 0;           ///< glTF: pieces of the scene, where more than one became this mesh
   std::size_t missing_values = 0;  ///< corners or vertices to which the file gives no value; they got one
   std::size_t zeroed_values = 0;   ///< normals, colours, texture coordinates not finite; read as 0

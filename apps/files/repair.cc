@@ -47,14 +47,14 @@ void count(MeshFile& file, const std::vector<measure::Side>& sides) {
   file.report.nonmanifold_vertices = found.vertices;
 }
 
-/// Counts the faces that share no edge, if nearly all are so.
+/// Counts the faces that share no edge, if half of all are so.
 void count_lone(MeshFile& file, const std::vector<measure::Side>& sides) {
   std::vector<std::uint8_t> open(file.mesh.triangles.size(), 0);
   for_each_edge(sides, [&](const measure::Side* begin, const measure::Side* end) {
     if (end - begin == 1) ++open[begin->face()];
   });
   const auto lone = static_cast<std::size_t>(std::count(open.begin(), open.end(), 3));
-  if (open.size() > 1 && 10 * lone >= 9 * open.size()) file.report.lone_faces = lone;
+  if (open.size() > 1 && 2 * lone >= open.size()) file.report.lone_faces = lone;
 }
 
 void fix(MeshFile& file) {

@@ -10,9 +10,9 @@ std::vector<std::string> reasons(const Recipe& recipe, const Result& result) {
   if (result.attainable.is_higher)
     why.push_back("what cannot vanish has at least " + std::to_string(result.attainable.minimum) +
                   " faces, and the rest was left its share of the target");
-  if (result.attainable.is_higher && result.attainable.small > 0)
+  if (result.attainable.small > 0)
     why.push_back(std::to_string(result.attainable.small) + " small pieces keep up to four faces each");
-  if (result.attainable.is_higher && result.attainable.charts > 0)
+  if (result.attainable.charts > 0)
     why.push_back(std::to_string(result.attainable.charts) + " charts keep a face each");
   PlanRecord record;
   for (const StageResult& stage : result.stages) record += stage.record;

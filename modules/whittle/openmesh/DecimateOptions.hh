@@ -219,15 +219,14 @@ inline void conclude(const TargetCount& target, DecimateReport& report) {
   report.target_reached = !target.any() || target.is_met(report.faces, report.vertices);
   if (report.target_reached) return;
   Reasons reasons;
-  if (report.attainable.is_higher) {
+  if (report.attainable.is_higher)
     reasons.add(
         report.attainable.minimum,
         " faces cannot vanish, and the rest keeps its share of the target unless DecimateOptions::force");
-    reasons.add(report.attainable.small,
-                " small pieces keep up to four faces each unless DecimateOptions::pieces");
-    reasons.add(report.attainable.charts,
-                " charts keep a face each unless DecimateOptions::keep_charts is off");
-  }
+  reasons.add(report.attainable.small,
+              " small pieces keep up to four faces each unless DecimateOptions::pieces");
+  reasons.add(report.attainable.charts,
+              " charts keep a face each unless DecimateOptions::keep_charts is off");
   reasons.add(report.held, " vertices are locked or features");
   reasons.add(report.seams, " vertices lie on seams");
   reasons.add(report.record);
