@@ -220,6 +220,8 @@ TEST_CASE("small pieces stay without crushing the rest, or vanish when asked") {
 
   const auto forced = simplify({in, out, "--ratio", "0.05", "--force"});
   CHECK(forced.code == 1);
+  CHECK_THAT(forced.err, Contains("60 small pieces keep up to four faces each") &&
+                             Contains("--pieces by-error lets pieces go") && !Contains("--force"));
   CHECK(files::read_mesh(out).mesh.triangles.size() < 300);
 
   const auto let_go = simplify({in, out, "--ratio", "0.05", "--pieces", "by-error", "--map", map});
