@@ -4,7 +4,8 @@
 #   test/run.sh [--no-setup] [--quick|--thorough|--thread]
 # --no-setup  leave out bootstrap.sh and the download of the bunny
 # --quick     leave out clang-tidy and the sanitizers, and run every test in the first build
-# --thorough  also whittle-viewer, whittle-bench and whittle-speed under the sanitizers, which the plain run leaves out
+# --thorough  also whittle-viewer, whittle-bench and whittle-speed under the sanitizers, and the library's inner headers each
+#             as the only include, which the plain run leaves out
 # --thread    everything under the thread sanitizer instead
 set -euo pipefail
 
@@ -15,7 +16,7 @@ for option in "$@"; do
   case $option in
     --no-setup) setup=0 ;;
     --quick) presets=(ci) tidy=0 ci_options=(-DWHITTLE_UNIT_TESTS=ON) ;;
-    --thorough) sanitizer_options=(-DWHITTLE_DRAWING=ON) ;;
+    --thorough) ci_options=(-DWHITTLE_EACH_HEADER=ON) sanitizer_options=(-DWHITTLE_DRAWING=ON) ;;
     --thread) presets=(tsan) tidy=0 ;;
     *)
       echo "usage: test/run.sh [--no-setup] [--quick|--thorough|--thread]" >&2

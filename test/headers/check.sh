@@ -1,8 +1,11 @@
 #!/usr/bin/env bash
 # Compiles headers with the warnings of a careful project, all of them errors.
 #   check.sh alone    COMPILER STANDARD INCLUDE_DIR [SYSTEM_INCLUDE_DIR...]
+#   check.sh each     COMPILER STANDARD INCLUDE_DIR [SYSTEM_INCLUDE_DIR...]
 #   check.sh together COMPILER STANDARD INCLUDE_DIR [SYSTEM_INCLUDE_DIR...]
-# alone     each header under INCLUDE_DIR/whittle as the only include, two at a time
+# alone     each header that users include, those in INCLUDE_DIR/whittle and its planners, as the only include, two at a
+#           time
+# each      the same for every header under INCLUDE_DIR/whittle
 # together  everything.cc beside this script, which includes every header that users include: those right in
 #           INCLUDE_DIR/whittle
 set -euo pipefail
@@ -37,7 +40,9 @@ if [[ $mode == together ]]; then
   echo "the headers compile together with $compiler -std=$standard"
   exit
 fi
-mapfile -d '' -t headers < <(find whittle -name '*.hh' -print0 | sort -z)
+folders=(whittle whittle/planners) depth=(-maxdepth 1)
+[[ $mode == each ]] && folders=(whittle) depth=()
+mapfile -d '' -t headers < <(find "${folders[@]}" "${depth[@]}" -name '*.hh' -print0 2>/dev/null | sort -z)
 ((${#headers[@]})) || { echo "no headers in $include/whittle" >&2; exit 1; }
 printf '%s\0' "${headers[@]}" | xargs -0 -P 2 -I '{}' bash -c 'compile "$@"' bash '{}' "$compiler" "${flags[@]}"
 echo "${#headers[@]} headers compile alone with $compiler -std=$standard"
