@@ -42,21 +42,27 @@ void check_topology(const IndexedMesh& mesh) {
   CHECK(facts.duplicate_faces == 0);
 }
 
-IndexedMesh bunny_or_nothing() {
+IndexedMesh read_bunny() {
   try {
     IndexedMesh bunny = files::read_mesh(WHITTLE_ASSETS "/cache/bunny.obj").mesh;
     REQUIRE(bunny.points.size() == 34835);
     REQUIRE(bunny.triangles.size() == 69666);
     return bunny;
   } catch (const files::FileError&) {
-    tests::skip("assets/fetch.sh bunny has not been run");
     return {};
   }
 }
 
+/// Read once.
+const IndexedMesh& bunny_or_nothing() {
+  static const IndexedMesh bunny = read_bunny();
+  if (bunny.points.empty()) tests::skip("assets/fetch.sh bunny has not been run");
+  return bunny;
+}
+
 template <typename Planner>
 void check_set(const Planner& planner, double percent_removed, double mean_error) {
-  const IndexedMesh bunny = bunny_or_nothing();
+  const IndexedMesh& bunny = bunny_or_nothing();
   if (bunny.points.empty()) return;
   const Outcome outcome(bunny, planner.plan(SurfaceT<double>(bunny)));
   CHECK(outcome.percent_removed == Approx(percent_removed).margin(0.15));
@@ -114,7 +120,7 @@ TEST_CASE("FASS on the bunny", "[bunny]") {
 }
 
 TEST_CASE("VT to the letter without a guard throws vertices far off the bunny", "[bunny]") {
-  const IndexedMesh bunny = bunny_or_nothing();
+  const IndexedMesh& bunny = bunny_or_nothing();
   if (bunny.points.empty()) return;
   const SurfaceT<double> surface(bunny);
   Circumcenter planner;
@@ -130,7 +136,7 @@ TEST_CASE("VT to the letter without a guard throws vertices far off the bunny", 
 }
 
 TEST_CASE("VTD to the letter without a guard turns faces of the bunny over", "[bunny]") {
-  const IndexedMesh bunny = bunny_or_nothing();
+  const IndexedMesh& bunny = bunny_or_nothing();
   if (bunny.points.empty()) return;
   const SurfaceT<double> surface(bunny);
   Vtd planner = vtd(0.0013);
