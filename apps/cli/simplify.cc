@@ -87,7 +87,8 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
           {"attributes_dropped", options.drop},
           {"attribute_changes", changes},
           {"locks", options.locks},
-          {"vertices_locked", result.held},
+          {"vertices_locked", result.held - result.held_on_seams},
+          {"vertices_held_on_seams", result.held_on_seams},
           {"charts", {{"before", result.charts}, {"gone", result.charts_gone}}},
           {"pieces",
            {{"rule", recipe.pieces.text()},
@@ -136,7 +137,9 @@ std::string summary(const Options& options, const files::MeshFile& in, const Jso
         stage.record.refused_by_flip_guard, stage.record.refused_by_link, stage.record.refused_by_seam,
         stage.refused_by_decimater);
   }
-  if (result.held > 0) out += text::format("  %zu vertices locked\n", result.held);
+  if (result.held > result.held_on_seams)
+    out += text::format("  %zu vertices locked\n", result.held - result.held_on_seams);
+  if (result.held_on_seams > 0) out += text::format("  %zu vertices on seams held\n", result.held_on_seams);
   if (result.held_by_bound > 0)
     out += text::format("  %zu vertices kept in place for the bound's sake\n", result.held_by_bound);
   return out;

@@ -62,13 +62,20 @@ SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& s
   return extras;
 }
 
-std::size_t count_held(const Task& task) {
+struct Held {
+  std::size_t all = 0, on_seams = 0;  // the latter for no other reason
+};
+
+Held count_held(const Task& task) {
   const SurfaceExtras& extras = task.extras;
   const unsigned holds = flags_that_hold(task.stages);
-  std::size_t held = 0;
-  for (std::size_t v = 0; v < std::max(extras.flags.size(), extras.tolerance.size()); ++v)
-    held += (v < extras.flags.size() && (extras.flags[v] & holds) != 0) ||
-            (v < extras.tolerance.size() && extras.tolerance[v] == 0);
+  Held held;
+  for (std::size_t v = 0; v < std::max(extras.flags.size(), extras.tolerance.size()); ++v) {
+    const unsigned flags = v < extras.flags.size() ? extras.flags[v] & holds : 0u;
+    const bool is_rigid = v < extras.tolerance.size() && extras.tolerance[v] == 0;
+    held.all += flags != 0 || is_rigid;
+    held.on_seams += flags == kSeam && !is_rigid;
+  }
   return held;
 }
 
@@ -221,12 +228,13 @@ void check(const Recipe& recipe) {
 Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
   Task task = make_task(mesh, recipe, monitor, givens);
   const TargetCount target = task.target;
-  const std::size_t held = count_held(task);
+  const Held held = count_held(task);
   const detail::PieceChoice pieces = choose_pieces(recipe, task);
   std::optional<double> bound;
   if (recipe.max_distance) bound = recipe.max_distance->in(task.scale);
   Result result = bound ? run_bounded(task, *bound) : run_stages(task);
-  result.held = held;
+  result.held = held.all;
+  result.held_on_seams = held.on_seams;
   result.attainable = pieces.attainable;
   count_charts(task, result);
   result.flipped_faces = count_flips(mesh, result.mesh, result.face_origin);

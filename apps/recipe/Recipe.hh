@@ -110,6 +110,7 @@ struct Result : Decimated {
   bool bound_held = true;          ///< false: faces that OpenMesh could not take are missing, and lie too far
   std::size_t held_by_bound = 0;   ///< input vertices that were kept in place for the bound's sake
   std::size_t held = 0;            ///< input vertices that the givens keep in place
+  std::size_t held_on_seams = 0;   ///< of those, the ones that are only on a seam that no module moves
   std::size_t charts = 0;          ///< of the input's texture coordinates; 0 where there are no seams
   std::size_t charts_gone = 0;     ///< of those, how many have no face left
   std::size_t pieces_gone = 0, faces_of_pieces_gone = 0;

@@ -1,7 +1,21 @@
+#include <algorithm>
+
+#include "recipe/Catalogue.hh"
 #include "recipe/Recipe.hh"
 #include "recipe/Stage.hh"
 
 namespace whittle::recipe {
+
+namespace {
+
+bool can_move_seams(const Recipe& recipe) {
+  const std::vector<Stage> stages = stages_of(recipe);
+  return std::any_of(stages.begin(), stages.end(), [](const Stage& stage) {
+    return find_module(stage.module.name).find("seams") != nullptr;
+  });
+}
+
+}  // namespace
 
 std::vector<std::string> reasons(const Recipe& recipe, const Result& result) {
   std::vector<std::string> why;
@@ -18,7 +32,11 @@ std::vector<std::string> reasons(const Recipe& recipe, const Result& result) {
   for (const StageResult& stage : result.stages) record += stage.record;
   for (const Stage& stage : stages_of(recipe))
     if (has_threshold(stage.module)) why.push_back("the threshold of '" + stage.text() + "' allows no more");
-  if (result.held > 0) why.push_back(std::to_string(result.held) + " vertices are locked");
+  if (result.held > result.held_on_seams)
+    why.push_back(std::to_string(result.held - result.held_on_seams) + " vertices are locked");
+  if (result.held_on_seams > 0)
+    why.push_back(std::to_string(result.held_on_seams) + " vertices on seams stay in place" +
+                  (can_move_seams(recipe) ? ", which seams=merge lets merge" : ""));
   if (record.refused_by_flip_guard > 0)
     why.push_back("the flip guard refused " + std::to_string(record.refused_by_flip_guard) + " merges");
   if (record.refused_by_link > 0)

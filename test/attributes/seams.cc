@@ -318,6 +318,10 @@ TEST_CASE("a module that moves no seams leaves them where they are") {
   const Attributes given{moved_apart(mesh, chart)};
   const auto result = run_with(mesh, mq_down_to(60, "ss:radius=1.2e"), given);
   CHECK(result.held == 13);
+  CHECK(result.held_on_seams == 13);
+  const std::vector<std::string> why = recipe::reasons(mq_down_to(60, "ss:radius=1.2e"), result);
+  CHECK(std::find(why.begin(), why.end(),
+                  "13 vertices on seams stay in place, which seams=merge lets merge") != why.end());
   for (std::size_t v = 4; v < mesh.points.size(); v += 13)
     CHECK(result.mesh.points[result.vertex_map[v]] == mesh.points[v]);
 }
