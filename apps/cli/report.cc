@@ -64,8 +64,9 @@ std::string why_missed(const recipe::Recipe& recipe, const files::ReadReport& re
   std::string why;
   for (const std::string& reason : missed_because(recipe, read, result))
     why += (why.empty() ? "" : "; ") + reason;
-  // Where faces stand alone for want of a weld, each is a piece, and its going would tear a hole.
+  // What only wants a weld or a repair to hang together would be torn if its pieces went.
   const bool pieces_would_go = !why.empty() && result.attainable.small > 0 && read.lone_faces == 0 &&
+                               read.edges_left_open == 0 &&
                                recipe.pieces.what != recipe::PieceRule::What::by_error;
   return why + (pieces_would_go ? "; --pieces by-error lets pieces go" : "") +
          (result.attainable.is_higher ? "; --force goes on" : "");
