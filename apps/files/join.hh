@@ -11,8 +11,8 @@ struct JoinOptions {
   double weld = 0;
   /// Whether faces that are turned against each other are joined, too, for the repair to turn them
   bool turns = false;
-  /// Whether nothing says which vertices are the same, as in STL: two faces at an edge are joined however they are turned,
-  /// and faces on the same three places have the same vertices, for the repair to leave them out
+  /// Whether nothing says which vertices are the same, as in STL: two faces at an edge are joined however they are
+  /// turned, and faces on the same three places have the same vertices, for the repair to leave them out
   bool soup = false;
 };
 

@@ -259,6 +259,7 @@ attributes::Attribute unwrapped_atlas(const IndexedMesh& mesh, double degrees) {
                       });
   join_small(charts, next_to, kFewest);
   std::vector<Flattened> flat;
+  flat.reserve(charts.size());
   for (const auto& faces : charts) flat.emplace_back(mesh, faces, plane_of(mesh, faces.front()));
   return packed(mesh, charts, flat);
 }
@@ -283,6 +284,7 @@ attributes::Attribute cubic_atlas(const IndexedMesh& mesh) {
   });
   join_small(charts, next_to, kFewest);
   std::vector<Flattened> flat;
+  flat.reserve(charts.size());
   for (const auto& faces : charts) {
     const Look& look = looks[faces.front()];
     const Vector3d right = Vector3d::Unit((look.axis + 1) % 3), up = Vector3d::Unit((look.axis + 2) % 3);
