@@ -137,6 +137,8 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
       ->check(CLI::IsMember({"normals", "colours"}))
       ->take_all()
       ->expected(1);
+  command.add_flag("--refit", options.refit,
+                   "At the end move the vertices to where the faces lie closest to the input");
   command
       .add_option("--delaunay", options.delaunay,
                   "Retriangulate at the end, by flips of edges no sharper than DEGREES; 20 keeps the shape")
@@ -184,6 +186,7 @@ recipe::Recipe make_recipe(const RecipeOptions& options) {
   recipe.samples = options.samples;
   recipe.driver = recipe::parse_driver(options.driver);
   recipe.delaunay = options.delaunay;
+  recipe.refit = options.refit;
   recipe::check(recipe);
   for (const std::string& text : options.locks) recipe::parse_lock(text);
   return recipe;

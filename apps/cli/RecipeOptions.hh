@@ -22,7 +22,7 @@ struct RecipeOptions {
   std::size_t samples = measure::DistanceOptions().samples;
   double weld = 0;
   std::string max_distance, weights, driver = "auto", repair = "report", pieces = "keep";
-  bool force = false;
+  bool force = false, refit = false;
 };
 
 /// Adds all of them; `with_target` leaves out or adds --ratio, --faces and --vertices.

@@ -91,7 +91,8 @@ recipe::Recipe recipe_for(const Options& options, std::size_t faces) {
 std::vector<Level> make_levels(const Options& options, const files::MeshFile& in,
                                const recipe::Givens& givens) {
   const bool plan_once = options.modules.empty() && options.max_distance.empty() && !options.delaunay &&
-                         options.driver == "auto" && options.pieces == "keep" && !options.force;
+                         options.driver == "auto" && options.pieces == "keep" && !options.force &&
+                         !options.refit;
   std::optional<recipe::Progression> progression;
   if (plan_once) progression.emplace(in.mesh, givens);
   std::vector<Level> levels;

@@ -59,6 +59,13 @@ Json delaunay_json(const Options& options, const recipe::Result& result) {
           {"dropped_for_the_bound", result.retriangulation_dropped}};
 }
 
+Json refit_json(const Options& options, const recipe::Result& result) {
+  if (!options.refit) return nullptr;
+  return {{"vertices_moved", result.refit.moved},
+          {"moves_refused", result.refit.refused},
+          {"dropped_for_the_bound", result.refit_dropped}};
+}
+
 Json names(const attributes::Attributes& attributes) {
   Json out = Json::array();
   for (const auto& attribute : attributes) out.push_back(attributes::to_string(attribute));
@@ -96,6 +103,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
             {"faces_gone", result.faces_of_pieces_gone}}},
           {"weights", options.weights.empty() ? Json(nullptr) : Json(options.weights)},
           {"stages", stages},
+          {"refit", refit_json(options, result)},
           {"delaunay", delaunay_json(options, result)},
           {"target", target_json(options)},
           {"target_reached", result.target_reached},
@@ -169,6 +177,7 @@ void warn(const Options& options, const recipe::Result& result, const files::Wri
     complain(options.in + ": " + std::to_string(result.refused_faces) +
              " faces are not manifold and were left out; the driver bulk keeps them");
   for (const std::string& note : written.notes()) complain(options.out + ": " + note);
+  if (result.refit_dropped) complain("the refit would break the bound on the distance and was left out");
   if (result.retriangulation_dropped)
     complain("the Delaunay retriangulation would break the bound on the distance and was left out");
 }

@@ -109,6 +109,27 @@ Task make_task(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& mon
           monitor};
 }
 
+/// Refits the result, unless that breaks the bound.
+void refit_result(const Task& task, std::optional<double> bound, Result& result) {
+  RefitOptions options;
+  options.flags = task.extras.flags;
+  options.flags.resize(task.mesh.points.size(), 0);
+  for (std::size_t v = 0; v < task.extras.tolerance.size(); ++v)
+    if (task.extras.tolerance[v] == 0) options.flags[v] |= kLocked;
+  IndexedMesh mesh = result.mesh;
+  const RefitReport report = refit(task.mesh, mesh, result.vertex_map, result.face_origin, options);
+  if (bound) {
+    const double distance = measure::excess(task.mesh, mesh, *bound).max;
+    if (distance > *bound && distance > *result.distance) {
+      result.refit_dropped = true;
+      return;
+    }
+    result.distance = distance;
+  }
+  result.refit = report;
+  result.mesh = std::move(mesh);
+}
+
 /// Retriangulates the result, unless that breaks the bound.
 void retriangulate_result(const IndexedMesh& input, const Recipe& recipe, std::optional<double> bound,
                           Result& result) {
@@ -223,6 +244,11 @@ void check(const Recipe& recipe) {
         "pieces vanish by error on the way to a target only; give one, or a length for the pieces");
   if (recipe.delaunay && !(*recipe.delaunay >= 0 && *recipe.delaunay <= 180))
     throw RecipeError("the angle of the Delaunay retriangulation must lie between 0 and 180 degrees");
+  for (const Spec& spec : recipe.modules)
+    if (const std::string& bound = find_module(spec.name).bound;
+        recipe.refit && !bound.empty() && spec.has(bound))
+      throw RecipeError("a refit does not keep the bound '" + bound + "' of module '" + spec.name +
+                        "'; --max-distance bounds the whole run, and the refit with it");
 }
 
 Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
@@ -236,6 +262,7 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor
   result.held = held.all;
   result.held_on_seams = held.on_seams;
   result.attainable = pieces.attainable;
+  if (recipe.refit) refit_result(task, bound, result);
   count_charts(task, result);
   result.flipped_faces = count_flips(mesh, result.mesh, result.face_origin);
   if (givens.attributes)

@@ -20,6 +20,7 @@
 #include "whittle/DelaunayFlips.hh"
 #include "whittle/plan/CollapsePlan.hh"
 #include "whittle/plan/attainable.hh"
+#include "whittle/refit.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
 
@@ -85,6 +86,8 @@ struct Recipe {
   /// Retriangulate the result by Delaunay flips of edges no sharper than so many degrees, 0..180 (Paper 1,
   /// the end of every algorithm). Without a value: leave it.
   std::optional<double> delaunay;
+  /// Move the vertices of the result to where its faces lie closest to the input; before a retriangulation.
+  bool refit = false;
 };
 
 /// What one stage did.
@@ -118,6 +121,8 @@ struct Result : Decimated {
                           ///< what is free
   bool stopped_by_bound = false;         ///< going on would have broken the bound
   bool retriangulation_dropped = false;  ///< it would have broken the bound
+  RefitReport refit;                     ///< if there was one
+  bool refit_dropped = false;            ///< it would have broken the bound
   DelaunayFlipsReport delaunay;          ///< of the retriangulation, if there was one
   std::size_t flipped_faces = 0;  ///< faces turned by more than 90 degrees against their own original normal,
                                   ///< before the retriangulation

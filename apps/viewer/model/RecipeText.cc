@@ -48,8 +48,8 @@ void set_option(Recipe& recipe, const std::string& option, const std::string& va
     recipe.driver = recipe::parse_driver(value);
   else if (!is_about_output(option))
     throw RecipeError("unknown option '" + option +
-                      "'; there are --module, --ratio, --faces, --vertices, --max-distance, --delaunay and "
-                      "--driver");
+                      "'; there are --module, --ratio, --faces, --vertices, --max-distance, --delaunay, "
+                      "--refit and --driver");
 }
 
 }  // namespace
@@ -66,6 +66,7 @@ std::string options_text(const Recipe& recipe) {
   if (recipe.max_distance) add("--max-distance", recipe.max_distance->text());
   if (recipe.delaunay) add("--delaunay", text::shortest(*recipe.delaunay));
   if (recipe.driver != recipe::Driver::automatic) add("--driver", recipe::to_string(recipe.driver));
+  if (recipe.refit) text += " --refit";
   return text;
 }
 
@@ -101,6 +102,10 @@ Recipe parse_options(const std::string& text) {
       continue;
     }
     if (word == "--quiet" || word == "--ascii") continue;
+    if (word == "--refit") {
+      recipe.refit = true;
+      continue;
+    }
     const std::size_t equals = word.find('=');
     if (equals != std::string::npos) {
       set_option(recipe, word.substr(0, equals), word.substr(equals + 1));

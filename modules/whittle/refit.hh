@@ -1,0 +1,113 @@
+/// \file
+/// The last step of a decimation: the vertices move to where the faces fit the original best.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "whittle/plan/execute.hh"
+#include "whittle/refit/Fitted.hh"
+#include "whittle/refit/samples.hh"
+#include "whittle/refit/solve.hh"
+#include "whittle/surface/IndexedMesh.hh"
+#include "whittle/surface/Surface.hh"
+#include "whittle/surface/errors.hh"
+#include "whittle/surface/threads.hh"
+
+namespace whittle {
+
+struct RefitOptions {
+  /// How often the original is compared anew with where the faces lie by then; >= 1. A third round gains another percent.
+  std::size_t rounds = 2;
+  /// 0: as many as the machine runs at once. The result is the same for any number.
+  std::size_t threads = 0;
+  /// For each vertex of the original: what merged with one that has kLocked, kFeature or kSeam stays in place. Or empty
+  std::vector<std::uint8_t> flags;
+};
+
+/// What a refit did.
+struct RefitReport {
+  std::size_t moved = 0;    ///< vertices
+  std::size_t refused = 0;  ///< moves that would have turned a face too far, in the last sweep of each round
+};
+
+/// Moves the vertices of a simplified mesh to where its faces lie closest to the original, in the least squares of three
+/// points of each face of the original, each taken along the original's normal. A collapse places its vertex by the faces of
+/// that moment; what the collapses around it have done since, this makes up for. It needs no search: each vertex of the
+/// original says around which vertex of the result its faces are to be found. Triangles and their order stay.
+///
+/// Vertices on the boundary, at edges that are not manifold, and those that the flags hold stay where they are, to the bit.
+/// No vertex moves by more than a fifth of its shortest edge in a round; no face turns by more than 45 degrees in a round,
+/// or over against what it was in the original.
+///
+/// <!-- test: header_refit -->
+/// \code
+/// whittle::MemorylessQuadric planner;
+/// planner.target_faces = mesh.triangles.size() / 10;
+/// auto result = whittle::bulk(planner, mesh);
+/// whittle::refit(mesh, result);
+/// \endcode
+/// \param original     what `mesh` came of.
+/// \param vertex_map   for each vertex of the original the one that it became; a number that `mesh` does not have: none.
+/// \param face_origin  for each face the one of the original that it was.
+/// \throw InvalidParameter  maps or flags of another size or with faces that are not there; no rounds.
+template <typename Real>
+RefitReport refit(const IndexedMeshT<Real>& original, IndexedMeshT<Real>& mesh,
+                  const std::vector<std::uint32_t>& vertex_map, const std::vector<std::uint32_t>& face_origin,
+                  const RefitOptions& options = {}) {
+  const std::size_t n = original.points.size(), n_faces = original.triangles.size();
+  if (vertex_map.size() != n || face_origin.size() != mesh.triangles.size() ||
+      std::any_of(face_origin.begin(), face_origin.end(), [&](std::uint32_t f) { return f >= n_faces; }))
+    throw InvalidParameter("refit: the maps do not fit: the mesh has come of another original");
+  if (options.rounds == 0) throw InvalidParameter("refit: the number of rounds must be at least 1");
+  if (!options.flags.empty() && options.flags.size() != n)
+    throw InvalidParameter("refit: there are " + std::to_string(options.flags.size()) + " flags for " +
+                           std::to_string(n) + " vertices");
+  if (mesh.triangles.empty()) return {};
+
+  std::vector<bool> stays(mesh.points.size(), false);
+  for (std::size_t v = 0; v < options.flags.size(); ++v)
+    if ((options.flags[v] & (kLocked | kFeature | kSeam)) != 0 && vertex_map[v] < stays.size())
+      stays[vertex_map[v]] = true;
+  const refitting::Frame<Real> frame(original.points);
+  refitting::Fitted fitted(mesh, frame, stays);
+  const std::vector<refitting::Vec> start = fitted.points;
+  std::vector<refitting::Vec> upright;
+  upright.reserve(face_origin.size());
+  for (const std::uint32_t f : face_origin) {
+    const auto& [a, b, c] = original.triangles[f];
+    const refitting::Vec p = frame.local(original.points[a]);
+    upright.push_back((frame.local(original.points[b]) - p).cross(frame.local(original.points[c]) - p));
+  }
+
+  detail::Crew crew(options.threads > 0 ? options.threads
+                                        : std::max(1u, std::thread::hardware_concurrency()));
+  RefitReport report;
+  for (std::size_t round = 0; round < options.rounds; ++round) {
+    fitted.set_faces(crew);
+    const auto samples = refitting::attach(original, frame, vertex_map, fitted, crew);
+    const auto equations = refitting::equations(fitted, samples, original.triangles.size(), crew);
+    refitting::Solver solver(fitted, equations, upright);
+    solver.sweep();
+    report.refused += solver.sweep();
+  }
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    if (fitted.points[v] == start[v]) continue;
+    mesh.points[v] += frame.scale * (fitted.points[v] - start[v]).template cast<Real>();
+    ++report.moved;
+  }
+  return report;
+}
+
+/// The same for what `execute` or `bulk` has made.
+template <typename Real>
+RefitReport refit(const IndexedMeshT<Real>& original, ExecutedT<Real>& result,
+                  const RefitOptions& options = {}) {
+  return refit(original, result.mesh, result.vertex_map, result.face_origin, options);
+}
+
+}  // namespace whittle

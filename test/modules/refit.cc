@@ -1,0 +1,199 @@
+#include "whittle/refit.hh"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "catch.hh"
+#include "measure/Distance.hh"
+#include "meshes.hh"
+#include "whittle/bulk.hh"
+#include "whittle/planners/MemorylessQuadric.hh"
+#include "whittle/planners/VertexDistance.hh"
+
+using namespace whittle;
+using meshes::IndexedMesh;
+
+namespace {
+
+/// Two hexagons around vertex 0, flat: 1..6 with a radius of 1/2, 7..12 with one of 1.
+IndexedMesh flat_wheel() {
+  IndexedMesh mesh;
+  mesh.points.emplace_back(0, 0, 0);
+  for (const double radius : {0.5, 1.0})
+    for (int i = 0; i < 6; ++i)
+      mesh.points.emplace_back(radius * std::cos(i * 1.0471975511965976),
+                               radius * std::sin(i * 1.0471975511965976), 0);
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const std::uint32_t next = (i + 1) % 6;
+    mesh.triangles.push_back({0, 1 + i, 1 + next});
+    mesh.triangles.push_back({1 + i, 7 + i, 7 + next});
+    mesh.triangles.push_back({1 + i, 7 + next, 1 + next});
+  }
+  return mesh;
+}
+
+/// The wheel without the inner hexagon, which has merged into the centre; and that is off by so much.
+ExecutedT<double> simplified_wheel(const IndexedMesh& wheel, const Eigen::Vector3d& off) {
+  ExecutedT<double> out;
+  out.mesh.points.push_back(off);
+  out.vertex_map.assign(7, 0);
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    out.mesh.points.push_back(wheel.points[7 + i]);
+    out.vertex_map.push_back(1 + i);
+    out.mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % 6});
+    out.face_origin.push_back(3 * i);
+  }
+  return out;
+}
+
+template <typename Planner>
+ExecutedT<double> decimated(const IndexedMesh& mesh, const Planner& planner) {
+  return bulk(planner, mesh);
+}
+
+MemorylessQuadric to_faces(std::size_t faces) {
+  MemorylessQuadric planner;
+  planner.target_faces = faces;
+  return planner;
+}
+
+double rms(const IndexedMesh& original, const IndexedMesh& mesh) {
+  return measure::distance(original, mesh, {20000, 0}).two_sided.rms;
+}
+
+}  // namespace
+
+TEST_CASE("a refit brings a vertex back to the plane that it has left, and moves nothing else") {
+  const IndexedMesh wheel = flat_wheel();
+  for (const double height : {0.05, -0.05}) {
+    ExecutedT<double> result = simplified_wheel(wheel, {0, 0, height});
+    const IndexedMesh before = result.mesh;
+    const RefitReport report = refit(wheel, result);
+    CHECK(std::abs(result.mesh.points[0].z()) < 0.05 * 0.05);
+    CHECK(result.mesh.points[0].head<2>().norm() < 1e-3);
+    CHECK(report.moved == 1);
+    for (std::size_t v = 1; v < 7; ++v) CHECK(result.mesh.points[v] == before.points[v]);
+    CHECK(result.mesh.triangles == before.triangles);
+  }
+}
+
+TEST_CASE("a refit moves a vertex by a fifth of its shortest edge at most in a round") {
+  const IndexedMesh wheel = flat_wheel();
+  ExecutedT<double> result = simplified_wheel(wheel, {0, 0, 0.6});
+  RefitOptions options;
+  options.rounds = 1;
+  refit(wheel, result, options);
+  CHECK(result.mesh.points[0].z() == Approx(0.6 - 0.2 * std::sqrt(1.36)).epsilon(1e-3));
+}
+
+TEST_CASE("a refit keeps what the flags hold") {
+  const IndexedMesh wheel = flat_wheel();
+  for (const std::uint8_t flag : {kLocked, kFeature, kSeam})
+    for (const std::size_t v : {0u, 3u}) {  // the centre, and one that has merged with it
+      ExecutedT<double> result = simplified_wheel(wheel, {0, 0, 0.05});
+      RefitOptions options;
+      options.flags.assign(wheel.points.size(), 0);
+      options.flags[v] = flag;
+      CHECK(refit(wheel, result, options).moved == 0);
+      CHECK(result.mesh.points[0] == Eigen::Vector3d(0, 0, 0.05));
+    }
+}
+
+TEST_CASE("a refit turns no face over against what it was in the original") {
+  // The faces of the original around the centre look down, those of the result up.
+  IndexedMesh wheel = flat_wheel();
+  ExecutedT<double> result = simplified_wheel(wheel, {0, 0, 0.05});
+  for (std::size_t f = 0; f < wheel.triangles.size(); f += 3)
+    std::swap(wheel.triangles[f][1], wheel.triangles[f][2]);
+  const Eigen::Vector3d before = result.mesh.points[0];
+  const RefitReport report = refit(wheel, result);
+  CHECK(report.refused > 0);
+  CHECK(result.mesh.points[0] == before);
+}
+
+TEST_CASE("a refit takes what lies on the other side of a thin sheet for no sample") {
+  // A second wheel just below, turned over; the upper one's centre is off towards it and beyond.
+  IndexedMesh both = flat_wheel();
+  const IndexedMesh upper = both;
+  for (const auto& p : upper.points) both.points.push_back(p - Eigen::Vector3d(0, 0, 0.02));
+  for (const auto& t : upper.triangles) both.triangles.push_back({13 + t[0], 13 + t[2], 13 + t[1]});
+  ExecutedT<double> result = simplified_wheel(upper, {0, 0, -0.05});
+  result.vertex_map.insert(result.vertex_map.end(), 13, 0u);  // as if they had merged across
+  refit(both, result);
+  CHECK(std::abs(result.mesh.points[0].z()) < 0.003);
+}
+
+TEST_CASE("a refit brings decimated meshes closer to the original, and keeps what is sound sound") {
+  for (const unsigned seed : {1u, 2u}) {
+    const IndexedMesh torus = meshes::shaken(meshes::torus(96, 48), 0.002, seed);
+    VertexDistance ivdd;
+    ivdd.max_distance = 0.08;
+    for (const ExecutedT<double>& result :
+         {decimated(torus, to_faces(2000)), decimated(torus, to_faces(500)), decimated(torus, ivdd)}) {
+      ExecutedT<double> fitted = result;
+      const RefitReport report = refit(torus, fitted);
+      CHECK(report.moved > result.mesh.points.size() / 2);
+      CHECK(rms(torus, fitted.mesh) < 0.97 * rms(torus, result.mesh));
+      CHECK(measure::distance(torus, fitted.mesh, {1000, 0}).flipped_faces == 0);
+      CHECK(fitted.mesh.triangles == result.mesh.triangles);
+    }
+  }
+}
+
+TEST_CASE("a refit is the same on any number of threads, and in any place and size to rounding") {
+  const IndexedMesh torus = meshes::shaken(meshes::torus(128, 64), 0.002, 1);
+  const ExecutedT<double> result = decimated(torus, to_faces(1500));
+  RefitOptions options;
+  options.threads = 1;
+  ExecutedT<double> one = result;
+  refit(torus, one, options);
+  for (const std::size_t threads : {2u, 3u, 7u}) {
+    ExecutedT<double> many = result;
+    options.threads = threads;
+    refit(torus, many, options);
+    REQUIRE(many.mesh.points == one.mesh.points);
+  }
+  for (const double scale : {1e-20, 1e6}) {
+    IndexedMesh large = torus;
+    ExecutedT<double> moved = result;
+    for (auto& p : large.points) p = scale * (p + Eigen::Vector3d(4, 0, -8));
+    for (auto& p : moved.mesh.points) p = scale * (p + Eigen::Vector3d(4, 0, -8));
+    refit(large, moved, options);
+    for (std::size_t v = 0; v < one.mesh.points.size(); ++v)
+      REQUIRE((moved.mesh.points[v] / scale - Eigen::Vector3d(4, 0, -8) - one.mesh.points[v]).norm() < 1e-3);
+  }
+}
+
+TEST_CASE("a refit leaves finite what has faces without area, no faces, or nothing left of a piece") {
+  IndexedMesh wheel = flat_wheel();
+  ExecutedT<double> result = simplified_wheel(wheel, {0, 0, 0});
+  for (auto& p : wheel.points) p.y() = 0;
+  for (auto& p : result.mesh.points) p.y() = 0;
+  refit(wheel, result);
+  for (const auto& p : result.mesh.points) CHECK(p.allFinite());
+
+  ExecutedT<double> none;
+  none.vertex_map.assign(wheel.points.size(), std::numeric_limits<std::uint32_t>::max());
+  CHECK(refit(wheel, none).moved == 0);
+  CHECK(refit(IndexedMesh(), *std::make_unique<ExecutedT<double>>()).moved == 0);
+}
+
+TEST_CASE("a refit refuses maps and flags of another mesh, and no rounds") {
+  const IndexedMesh wheel = flat_wheel();
+  const ExecutedT<double> good = simplified_wheel(wheel, {0, 0, 0.05});
+  const auto refused = [&](auto change, RefitOptions options = {}) {
+    ExecutedT<double> result = good;
+    change(result);
+    CHECK_THROWS_AS(refit(wheel, result, options), InvalidParameter);
+  };
+  refused([](auto& result) { result.vertex_map.pop_back(); });
+  refused([](auto& result) { result.face_origin.pop_back(); });
+  refused([](auto& result) { result.face_origin[0] = 18; });
+  RefitOptions options;
+  options.rounds = 0;
+  refused([](auto&) {}, options);
+  options = {};
+  options.flags.assign(5, 0);
+  refused([](auto&) {}, options);
+}
