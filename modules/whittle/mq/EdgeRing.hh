@@ -46,11 +46,16 @@ class EdgeRing {
   bool turn(const std::vector<Vertex>& vertices, std::uint32_t start, std::uint32_t end, const Vec& target,
             float limit);
 
-  /// After `turn`: calls `add(vertex, change)` with the change of each face's quadric, for the two vertices
-  /// that do not move.
-  /// \return the sum of the quadrics after, for the vertex that does.
+  /// What the faces around a vertex add up to.
+  struct Sums {
+    SymmetricMatrix quadric;
+    Vec area = Vec::Zero();  ///< see Mesh::areas
+  };
+  /// After `turn`: calls `add(vertex, change of quadric, change of area)` for each face and the two vertices of it that do
+  /// not move.
+  /// \return the sums after, for the vertex that does.
   template <typename Add>
-  SymmetricMatrix update(Add add) const;
+  Sums update(Add add) const;
 
  private:
   /// Normals of four faces, twice their areas long, and their squares.
@@ -101,20 +106,22 @@ inline bool EdgeRing::turn(const std::vector<Vertex>& vertices, std::uint32_t st
 }
 
 template <typename Add>
-SymmetricMatrix EdgeRing::update(Add add) const {
-  SymmetricMatrix sum;
+EdgeRing::Sums EdgeRing::update(Add add) const {
+  Sums sums;
   for (std::size_t i = 0; i < n_; i += 4) {
     const Turn& turn = turns_[i / 4];
     const FourMatrices before = FourMatrices::outer(turn.before, reciprocal_lengths(turn.before_square)),
                        after = FourMatrices::outer(turn.after, reciprocal_lengths(turn.after_square));
     const auto changes = apart(after - before), now = apart(after);
+    const auto turned = apart(turn.after - turn.before), areas = apart(turn.after);
     for (std::size_t k = 0; k < std::min<std::size_t>(4, n_ - i); ++k) {
-      sum += now[k];
-      add(sides_[i + k].from, changes[k]);
-      add(sides_[i + k].to, changes[k]);
+      sums.quadric += now[k];
+      sums.area += areas[k];
+      add(sides_[i + k].from, changes[k], turned[k]);
+      add(sides_[i + k].to, changes[k], turned[k]);
     }
   }
-  return sum;
+  return sums;
 }
 
 }  // namespace whittle::mq

@@ -125,4 +125,12 @@ EIGEN_ALWAYS_INLINE std::array<SymmetricMatrix, 4> apart(const FourMatrices& m) 
   return matrices;
 }
 
+/// The four vectors one by one.
+EIGEN_ALWAYS_INLINE std::array<Eigen::Vector3f, 4> apart(const FourVectors& v) {
+  const Eigen::Matrix4f columns = transposed(v.x(), v.y(), v.z(), Four(0.0f));
+  std::array<Eigen::Vector3f, 4> vectors;
+  for (std::size_t i = 0; i < 4; ++i) vectors[i] = columns.col(static_cast<Eigen::Index>(i)).head<3>();
+  return vectors;
+}
+
 }  // namespace whittle::mq

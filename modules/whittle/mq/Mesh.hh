@@ -29,6 +29,7 @@ struct Mesh {
   // Of each vertex:
   std::vector<Vertex> vertices;
   std::vector<SymmetricMatrix> quadrics;
+  std::vector<AreaVector> areas;  ///< sums over its faces
   std::vector<Hold> holds;
   std::vector<float> weights;        ///< factors of costs; empty where all are 1
   std::vector<std::uint32_t> seams;  ///< how many of its edges are seams; empty unless has_seams

@@ -19,6 +19,13 @@ struct Vertex {
       mark;  ///< when it was last near an edge that was judged; read as a fourth float with the three
 };
 
+/// Normals of faces, each of the length of twice the area, added up. Around a vertex: six times how fast the enclosed volume
+/// grows as the vertex moves.
+struct AreaVector {
+  Vec sum = Vec::Zero();
+  float pad = 0;  ///< read as a fourth float with the three
+};
+
 /// The flags of vertices that stay in place. A vertex on a seam stays where it is not known how the seam runs.
 inline std::uint8_t held_flags(const SurfaceExtras& extras) {
   return extras.wedges.empty() ? kLocked | kFeature | kSeam : kLocked | kFeature;

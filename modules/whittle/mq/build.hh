@@ -118,7 +118,9 @@ inline void add_faces(Mesh& mesh, const std::array<Corner, 4>& faces, std::size_
   if (!mesh.values.empty()) add_values(mesh, faces, n, corners, quadrics);
   const Eigen::Matrix4f units =
       transposed(reciprocal * normal.x(), reciprocal * normal.y(), reciprocal * normal.z(), square);
+  const auto areas = apart(normal);
   for (std::size_t i = 0; i < n; ++i) {
+    for (const std::uint32_t v : mesh.table.face(faces[i]).vertex) mesh.areas[v].sum += areas[i];
     const auto unit = units.col(static_cast<Eigen::Index>(i));
     if (unit[3] > kLeastLength * kLeastLength)
       mesh.table.notes(faces[i]).normal = PackedNormal(unit.head<3>());
@@ -203,6 +205,7 @@ inline Mesh build(const IndexedMeshT<Real>& input, const SurfaceExtras& extras, 
     mesh.all_free &= mesh.holds[i] == kFree;
   }
   mesh.quadrics.resize(mesh.vertices.size());
+  mesh.areas.resize(mesh.vertices.size());
   if (!extras.tolerance.empty()) set_weights(mesh, extras.tolerance);
   if (extras.n_values > 0) set_values(mesh, extras);
   sum_quadrics(mesh, crew);

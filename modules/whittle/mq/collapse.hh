@@ -39,21 +39,28 @@ inline Corner fuse(Mesh& mesh, Corner c) {
   return left != kNoCorner ? left : right;
 }
 
-/// Takes out of the ring's quadrics what vanishes or changes with the collapse of `c`, and puts in what the
+/// Takes out of the ring's quadrics and areas what vanishes or changes with the collapse of `c`, and puts in what the
 /// faces that remain become.
 /// \param own  gains the survivor's faces.
 inline void update_ring(Mesh& mesh, Corner c, const Worker& worker, SymmetricMatrix& own) {
   for (const Corner side : {c, mesh.table.twin(c)}) {
     if (side == kNoCorner) continue;
     const Corner tip = previous(side);
-    mesh.quadrics[mesh.table.vertex(tip)] -= face_quadric(mesh.edge(side).cross(-mesh.edge(tip)));
+    const Vec normal = mesh.edge(side).cross(-mesh.edge(tip));
+    mesh.quadrics[mesh.table.vertex(tip)] -= face_quadric(normal);
+    mesh.areas[mesh.table.vertex(tip)].sum -= normal;
   }
   if (mesh.has_lines)
     for (const std::uint32_t v : {mesh.table.vertex(c), mesh.table.vertex(next(c))})
       for_each_line(mesh, v,
                     [&](Corner half, std::uint32_t w) { mesh.quadrics[w] -= line_quadric(mesh, half); });
-  own +=
-      worker.ring.update([&](std::uint32_t v, const SymmetricMatrix& change) { mesh.quadrics[v] += change; });
+  const EdgeRing::Sums sums =
+      worker.ring.update([&](std::uint32_t v, const SymmetricMatrix& quadric, const Vec& area) {
+        mesh.quadrics[v] += quadric;
+        mesh.areas[v].sum += area;
+      });
+  own += sums.quadric;
+  mesh.areas[mesh.table.vertex(c)].sum = sums.area;
 }
 
 /// The same for the values, whose terms depend on where the corners were and what values they had.

@@ -49,8 +49,20 @@ inline void place_at_held_ends(const Mesh& mesh, const FourEdges& edges, const F
   }
 }
 
+/// How much a change of the enclosed volume counts, squared and divided by the trace of the quadrics. Of 3, 10, 30 and 100
+/// this ends closest to the input.
+constexpr float kVolumeWeight = 10;
+
+/// The areas at four vertices.
+EIGEN_ALWAYS_INLINE FourVectors areas_at(const Mesh& mesh, const std::array<std::uint32_t, 4>& v) {
+  return gathered({mesh.areas[v[0]].sum.data(), mesh.areas[v[1]].sum.data(), mesh.areas[v[2]].sum.data(),
+                   mesh.areas[v[3]].sum.data()});
+}
+
 /// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
-/// slight pull to the middle that decides where the planes leave a direction open.
+/// slight pull to the middle that decides where the planes leave a direction open. With it counts the square of the change
+/// of the enclosed volume, g u - gb e by the areas g of both ends and gb of the second. Along a thin tip the planes say
+/// little about where it ends, and the volume says it. It decides about the place alone and is not part of the cost.
 /// \param e  the edges, from their starts
 inline Placements best_places(const Mesh& mesh, const FourEdges& edges, const FourVectors& e,
                               const FourMatrices& at_a, const FourMatrices& at_b) {
@@ -59,9 +71,13 @@ inline Placements best_places(const Mesh& mesh, const FourEdges& edges, const Fo
   const Four pull = 1e-5f * sum.trace();
   const FourVectors middle = Four(0.5f) * e;
   FourVectors pivots = e;
-  const FourVectors u = (sum + FourMatrices::identity(pull)).solve(pull_b + pull * middle, pivots);
+  const FourVectors area_b = areas_at(mesh, edges.end), area = areas_at(mesh, edges.start) + area_b;
+  const Four share = kVolumeWeight / sum.trace().max(kLeastLength), kept = area_b.dot(e);
+  const FourVectors u = (sum + FourMatrices::identity(pull) + FourMatrices::outer(area, share))
+                            .solve(pull_b + pull * middle + (share * kept) * area, pivots);
   const FourVectors off = u - middle;
-  const Four cost = (e - u).dot(pull_b) - pull * u.dot(off);
+  const Four swept = area.dot(u);
+  const Four cost = (e - u).dot(pull_b) - pull * u.dot(off) + share * swept * (kept - swept);
   const Four least = pivots.x().min(pivots.y()).min(pivots.z()),
              far = 4 * e.squaredNorm() - off.squaredNorm();
   Placements placements;
@@ -116,6 +132,7 @@ inline void prefetch(const Mesh& mesh, Corner c, const Worker& worker) {
   for (const std::uint32_t v : face.vertex) {
     __builtin_prefetch(&mesh.vertices[v]);
     __builtin_prefetch(&mesh.quadrics[v]);
+    __builtin_prefetch(&mesh.areas[v]);
   }
 #endif
 }

@@ -88,7 +88,9 @@ TEST_CASE("an edge's ring moves the faces at the second end from there") {
   // What changes is the second face's quadric, from its own end.
   REQUIRE(ring.turn(vertices, 0, 1, {1, 0, 0}, kGuard));
   std::map<std::uint32_t, SymmetricMatrix> changes;
-  ring.update([&](std::uint32_t v, const SymmetricMatrix& change) { changes[v] += change; });
+  ring.update([&](std::uint32_t v, const SymmetricMatrix& change, const Vector3f& /*area*/) {
+    changes[v] += change;
+  });
   CHECK(changes[4].zz == 0);  // it has not moved
   CHECK(changes[2].zz == 1);  // twice the area
 }
@@ -117,10 +119,16 @@ TEST_CASE("an edge's ring gives the change of the quadrics and the survivor's su
     const Vector3f target(0.1f, -0.05f, 0.2f);
     REQUIRE(wheel.ring.turn(wheel.vertices, 0, 0, target, kGuard));
     std::map<std::uint32_t, SymmetricMatrix> changes;
-    const SymmetricMatrix sum =
-        wheel.ring.update([&](std::uint32_t v, const SymmetricMatrix& change) { changes[v] += change; });
+    std::map<std::uint32_t, Vector3f> turned;
+    const EdgeRing::Sums sums =
+        wheel.ring.update([&](std::uint32_t v, const SymmetricMatrix& change, const Vector3f& area) {
+          changes[v] += change;
+          turned.emplace(v, Vector3f::Zero()).first->second += area;
+        });
 
     SymmetricMatrix expected;
+    Vector3f area = Vector3f::Zero();
+    std::map<std::uint32_t, Vector3f> expected_turned;
     std::map<std::uint32_t, SymmetricMatrix> expected_changes;
     const auto quadric = [](const Vector3f& p, const Vector3f& q, const Vector3f& r) {
       const Vector3f normal = (q - p).cross(r - p);
@@ -130,14 +138,19 @@ TEST_CASE("an edge's ring gives the change of the quadrics and the survivor's su
       const Vector3f &q = wheel.vertices[side.from].position, &r = wheel.vertices[side.to].position;
       const SymmetricMatrix after = quadric(target, q, r);
       expected += after;
+      area += (q - target).cross(r - target);
       for (const std::uint32_t v : {side.from, side.to}) {
         expected_changes[v] += after;
         expected_changes[v] -= quadric(Vector3f::Zero(), q, r);
+        expected_turned.emplace(v, Vector3f::Zero()).first->second +=
+            (q - target).cross(r - target) - q.cross(r);
       }
     }
     REQUIRE(changes.size() == n);
     const Vector3f probe(0.3f, 0.7f, -0.4f);
-    CHECK((sum * probe - expected * probe).norm() < 1e-5f);
+    CHECK((sums.quadric * probe - expected * probe).norm() < 1e-5f);
+    CHECK((sums.area - area).norm() < 1e-5f);
+    for (const auto& [v, change] : turned) CHECK((change - expected_turned[v]).norm() < 1e-5f);
     for (const auto& [v, change] : changes)
       CHECK((change * probe - expected_changes[v] * probe).norm() < 1e-5f);
   }

@@ -53,8 +53,24 @@ float difference(const SymmetricMatrix& a, const SymmetricMatrix& b) {
                    std::abs(a.yz - b.yz), std::abs(a.zz - b.zz)});
 }
 
-/// Whether all quadrics, and what the values add to edges, are those of the faces that are left.
+/// Whether the area vectors are those of the faces that are left.
+void check_areas(const mq::Mesh& mesh) {
+  std::vector<mq::Vec> sums(mesh.vertices.size(), mq::Vec::Zero());
+  for (std::size_t f = 0; f < mesh.table.n_faces(); ++f) {
+    const Corner c = mq::corner_of(f);
+    if (mesh.table.is_dead(c)) continue;
+    for (const Corner at : {c, c + 1, c + 2})
+      sums[mesh.table.vertex(at)] += mesh.edge(c).cross(-mesh.edge(c + 2));
+  }
+  float most = 0;
+  for (const mq::Vec& sum : sums) most = std::max(most, sum.norm());
+  for (std::uint32_t v = 0; v < sums.size(); ++v)
+    if (mesh.table.first(v) != kNoCorner) REQUIRE((mesh.areas[v].sum - sums[v]).norm() <= 1e-4f * most);
+}
+
+/// Whether all quadrics, area vectors, and what the values add to edges, are those of the faces that are left.
 void check_quadrics(const mq::Mesh& mesh) {
+  check_areas(mesh);
   Values values = mesh.values;
   const std::vector<SymmetricMatrix> sums = summed(mesh, values);
   float most = 0;

@@ -97,6 +97,7 @@ TEST_CASE("mq weighs the planes at both ends of an edge, and a slight pull to it
   const Corner c = corner(mesh, 12, 13);  // along x
   const std::uint32_t a = fixture::vertex(mesh, 12), b = fixture::vertex(mesh, 13);
   const float length = mesh.edge(c).x();
+  mesh.areas[a].sum = mesh.areas[b].sum = mq::Vec::Zero();  // the volume says nothing
   const auto placed = [&](const mq::SymmetricMatrix& at_a, const mq::SymmetricMatrix& at_b) {
     mesh.quadrics[a] = at_a;
     mesh.quadrics[b] = at_b;
@@ -122,6 +123,27 @@ TEST_CASE("mq weighs the planes at both ends of an edge, and a slight pull to it
   CHECK(near.cost < 1e-3f);
   CHECK(far.offset == mq::Vec(0.5f, 0, 0));
   CHECK(far.cost == Approx(0.3 * 0.3 + 0.5 * 0.5).epsilon(1e-5));
+}
+
+TEST_CASE(
+    "mq places an edge where the planes leave a direction open so that the volume stays, which costs "
+    "nothing") {
+  mq::Mesh mesh = built(meshes::flat_grid(5));
+  const Corner c = corner(mesh, 12, 13);  // along x
+  const std::uint32_t a = fixture::vertex(mesh, 12), b = fixture::vertex(mesh, 13);
+  const float length = mesh.edge(c).x();
+  // y = 0 and z = 0, x is open: a rod along the edge, whose ends are caps of 1 at the start and of 3 at the end.
+  mesh.quadrics[a] = mesh.quadrics[b] =
+      mq::SymmetricMatrix::outer(mq::Vec::UnitY(), 1) + mq::SymmetricMatrix::outer(mq::Vec::UnitZ(), 1);
+  mesh.areas[a].sum = {1, 0, 0};
+  mesh.areas[b].sum = {3, 0, 0};
+  const Placement kept = place_one(mesh, c);
+  CHECK(kept.offset.x() / length == Approx(0.75).epsilon(1e-4));  // the pull to the middle is 1e-6 as strong
+  CHECK(kept.cost < 1e-4f * length * length);
+  mesh.areas[b].sum = {0, 0, 0};
+  CHECK(std::abs(place_one(mesh, c).offset.x()) < 1e-4f * length);
+  mesh.areas[a].sum = {0, 0, 0};
+  CHECK(place_one(mesh, c).offset.x() / length == Approx(0.5));
 }
 
 TEST_CASE("mq's cost at a held end is what the planes of the other end say there") {
