@@ -22,7 +22,10 @@
 
 #include "catch.hh"
 #include "meshes.hh"
+#include "whittle/bulk.hh"
 #include "whittle/openmesh/convert.hh"
+#include "whittle/planners/MemorylessQuadric.hh"
+#include "whittle/refit.hh"
 #include "written.hh"
 
 namespace {
@@ -108,6 +111,15 @@ TEST_CASE("header of decimate: the example keeps the boundary and reaches its ta
     CHECK(report.faces_before == 2 * 59 * 59);
   }
   written::check_faces(mesh, 2 * 59 * 59 / 10);
+}
+
+TEST_CASE("header of refit: the example reaches its target, and lies closer than without") {
+  const whittle::IndexedMesh mesh = meshes::torus(96, 48);
+#include "header_refit.inc"
+  CHECK(result.mesh.triangles.size() == mesh.triangles.size() / 10);
+  const auto before = whittle::bulk(planner, mesh);
+  CHECK(result.mesh.triangles == before.mesh.triangles);
+  CHECK(result.mesh.points != before.mesh.points);
 }
 
 TEST_CASE("README: the module in a decimater leaves a mesh that can be written") {

@@ -18,6 +18,7 @@
 #include <whittle/compact.hh>
 #include <whittle/decimate.hh>
 #include <whittle/openmesh/convert.hh>
+#include <whittle/refit.hh>
 #include <whittle/version.hh>
 
 static_assert(WHITTLE_VERSION >= 200);
@@ -54,7 +55,8 @@ template <typename Mesh>
 void every_function(Mesh& mesh) {
   using Real = typename Mesh::Scalar;
   const whittle::IndexedMeshT<Real> arrays = whittle::to_indexed(mesh);
-  const auto half = whittle::bulk(whittle::MemorylessQuadric(), arrays);
+  auto half = whittle::bulk(whittle::MemorylessQuadric(), arrays);
+  whittle::refit(arrays, half);
   const auto folded = whittle::bulk(whittle::VertexDistance(), half.mesh);
   whittle::to_openmesh(folded.mesh, mesh);
   whittle::DecimateOptions options;

@@ -65,8 +65,7 @@ struct Fitted {
   template <typename Real>
   Fitted(const IndexedMeshT<Real>& mesh, const Frame<Real>& frame, const std::vector<bool>& stays)
       : triangles(mesh.triangles),
-        corners(mesh.points.size(), 3 * mesh.triangles.size(),
-                [&](std::size_t c) { return mesh.triangles[c / 3][c % 3]; }),
+        corners(detail::Lists::of_corners(mesh.triangles, mesh.points.size())),
         is_free(mesh.points.size()) {
     points.reserve(mesh.points.size());
     for (const auto& p : mesh.points) points.push_back(frame.local(p));

@@ -30,7 +30,8 @@ struct Sample {
 /// \param normal  of length 1
 /// \param weight  the area that the point stands for
 inline Sample attached(const Fitted& fitted, std::uint32_t v, const Vec& p, const Vec& normal, float weight) {
-  constexpr float kAlike = 0.9f;  // the cosine above which the first face that holds the point is good enough
+  constexpr float kAlike = 0.9f,  // the cosine above which the first face that holds the point is good enough
+      kUnlike = 0.5f;             // and the one from which down none stands for it; it counts in full at 1
   float best = -std::numeric_limits<float>::infinity(), cosine = 0;
   std::array<float, 3> at{};
   Sample sample;
@@ -47,7 +48,8 @@ inline Sample attached(const Fitted& fitted, std::uint32_t v, const Vec& p, cons
     sample.face = *c / 3;
     if (outside == 0 && alike > kAlike) break;
   }
-  if (!(cosine > 0)) return {};
+  if (!(cosine > kUnlike)) return {};
+  weight *= (cosine - kUnlike) / (1 - kUnlike);
   const float sum = at[0] + at[1] + at[2], root = std::sqrt(weight);
   Vec there = Vec::Zero();
   for (std::size_t k = 0; k < 3; ++k) {
