@@ -104,6 +104,30 @@ TEST_CASE("simplify can end with a Delaunay retriangulation") {
   CHECK(measure::facts(files::read_mesh(in.folder / "out.ply").mesh).closed());
 }
 
+TEST_CASE("simplify can end with a refit, which brings the result closer to the input") {
+  const Input in;
+  const IndexedMesh input = files::read_mesh(in.path).mesh;
+  const auto rms = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{in.path, in.folder / "out.ply", "--json", in.folder / "r.json"};
+    words.insert(words.end(), options.begin(), options.end());
+    CHECK(simplify(words).code == 0);
+    return measure::distance(input, files::read_mesh(in.folder / "out.ply").mesh, {20000, 0}).two_sided.rms;
+  };
+  const auto told = [&] { return Json::parse(programs::contents(in.folder / "r.json"))["refit"]; };
+  for (const std::string module : {"mq", "ivdd"}) {
+    const double without = rms({"--module", module, "--ratio", "0.3"});
+    CHECK(told().is_null());
+    CHECK(rms({"--module", module, "--ratio", "0.3", "--refit"}) < 0.95 * without);
+    CHECK(told()["vertices_moved"].get<int>() > 0);
+  }
+  CHECK(rms({"--max-distance", "1%", "--ratio", "0.3", "--refit"}) > 0);
+  CHECK(told().contains("dropped_for_the_bound"));
+  const auto refused =
+      simplify({in.path, in.folder / "out.ply", "--module", "mq:max-distance=0.01", "--refit"});
+  CHECK(refused.code == 2);
+  CHECK_THAT(refused.err, Contains("a refit does not keep the bound"));
+}
+
 TEST_CASE("simplify may overwrite its input") {
   const Input in;
   CHECK(simplify({in.path, in.path, "--module", "fad"}).code == 0);
