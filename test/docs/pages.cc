@@ -116,7 +116,7 @@ TEST_CASE("header of decimate: the example keeps the boundary and reaches its ta
 TEST_CASE("header of refit: the example reaches its target, and lies closer than without") {
   const whittle::IndexedMesh mesh = meshes::torus(96, 48);
 #include "header_refit.inc"
-  CHECK(result.mesh.triangles.size() == mesh.triangles.size() / 10);
+  CHECK(result.mesh.triangles.size() <= mesh.triangles.size() / 10);
   const auto before = whittle::bulk(planner, mesh);
   CHECK(result.mesh.triangles == before.mesh.triangles);
   CHECK(result.mesh.points != before.mesh.points);
