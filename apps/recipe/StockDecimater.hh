@@ -5,6 +5,7 @@
 #include <OpenMesh/Tools/Decimater/BaseDecimaterT.hh>
 
 #include "recipe/OpenMeshCopy.hh"
+#include "whittle/openmesh/DriverT.hh"
 
 namespace whittle::recipe {
 
@@ -29,6 +30,8 @@ class StockDecimater {
 
   template <typename Module>
   Module& add() {
+    // Whittle's drivers have an add() of their own, which looks at what the module can do.
+    if (auto* driver = dynamic_cast<DriverT<Mesh>*>(&decimater_)) return add_module<Module>(*driver);
     return add_module<Module>(decimater_);
   }
 

@@ -2,6 +2,7 @@
 /// A decimater for any set of modules that tests a collapse only when its turn comes.
 #pragma once
 
+#include <algorithm>
 #include <cfloat>
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "whittle/openmesh/DriverT.hh"
+#include "whittle/openmesh/EarlyPriorityT.hh"
 
 namespace whittle {
 
@@ -52,12 +54,20 @@ class LazyDecimaterT : public DriverT<MeshT> {
     std::uint32_t changes = 0;  ///< around it since
   };
 
+  struct Choice {
+    HalfedgeHandle collapse;
+    float least;  ///< that its priority can be; negative: it is not allowed
+  };
+  static constexpr std::uint32_t kMany = 64;  ///< edges, of which a vertex with more is a hub
+
+  /// The collapses that remove `v`; of a hub, those that can have the least priorities come first.
+  const std::vector<Choice>& choices(VertexHandle v);
   /// Judges the collapses that remove `v`, legal or not unless `only_legal`, and queues the best.
   void judge(VertexHandle v, bool only_legal);
 
   /// Whether a vertex has very many edges, and too few have changed for judging all of them anew.
   static bool is_hub_at_rest(const Candidate& candidate) {
-    constexpr std::uint32_t kMany = 64, kShare = 8;
+    constexpr std::uint32_t kShare = 8;
     return candidate.edges > kMany && candidate.changes < candidate.edges / kShare;
   }
   /// Judges one collapse of a hub that has none in the queue, and queues it if it is allowed.
@@ -74,26 +84,38 @@ class LazyDecimaterT : public DriverT<MeshT> {
   std::vector<Candidate> candidates_;
   std::vector<VertexHandle> waiting_;
   std::priority_queue<Entry> queue_;
+  std::vector<Choice> choices_;
+  EarlyPriorityT<Mesh>* early_ = nullptr;
 };
+
+template <typename MeshT>
+auto LazyDecimaterT<MeshT>::choices(VertexHandle v) -> const std::vector<Choice>& {
+  choices_.clear();
+  for (auto h = this->mesh_.cvoh_iter(v); h.is_valid(); ++h)
+    choices_.push_back({*h, early_ ? early_->early_priority(CollapseInfo(this->mesh_, *h)) : 0});
+  if (early_ && choices_.size() > kMany)
+    std::stable_sort(choices_.begin(), choices_.end(),
+                     [](const Choice& a, const Choice& b) { return a.least < b.least; });
+  return choices_;
+}
 
 template <typename MeshT>
 void LazyDecimaterT<MeshT>::judge(VertexHandle v, bool only_legal) {
   Candidate& candidate = candidates_[static_cast<std::size_t>(v.idx())];
   ++candidate.version;
   candidate.queued = candidate.marked = false;
-  candidate.edges = candidate.changes = 0;
+  candidate.changes = 0;
   float best = FLT_MAX;
-  for (auto h = this->mesh_.cvoh_iter(v); h.is_valid(); ++h) {
-    ++candidate.edges;
-    if (only_legal && !this->is_legal(*h)) continue;
-    const CollapseInfo ci(this->mesh_, *h);
-    const float priority = this->collapse_priority(ci);
+  for (const Choice& choice : choices(v)) {
+    if (choice.least < 0 || choice.least >= best) continue;
+    if (only_legal && !this->is_legal(choice.collapse)) continue;
+    const float priority = this->collapse_priority(CollapseInfo(this->mesh_, choice.collapse));
     if (priority < 0 || priority >= best) continue;
     best = priority;
-    candidate.collapse = *h;
+    candidate.collapse = choice.collapse;
     candidate.queued = true;
-    if (best == 0) break;  // nothing can be better
   }
+  candidate.edges = static_cast<std::uint32_t>(choices_.size());
   if (candidate.queued) queue_.push({best, v.idx(), candidate.version});
 }
 
@@ -137,6 +159,7 @@ void LazyDecimaterT<MeshT>::run(bool only_selected) {
   const auto takes_part = [&](VertexHandle v) {
     return !mesh.status(v).deleted() && (!only_selected || mesh.status(v).selected());
   };
+  early_ = this->early_priorities();
   queue_ = {};
   waiting_.clear();
   candidates_.assign(mesh.n_vertices(), Candidate());

@@ -20,6 +20,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "whittle/openmesh/EarlyPriorityT.hh"
 #include "whittle/openmesh/attributes.hh"
 #include "whittle/surface/constants.hh"
 #include "whittle/surface/errors.hh"
@@ -43,7 +44,7 @@ namespace whittle {
 /// Use it under LazyDecimaterT. OpenMesh's DecimaterT judges a vertex anew only where a neighbour has vanished, which in
 /// rare places is not enough to see that a chart that shall stay is down to its last face.
 template <typename MeshT>
-class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
+class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT>, public EarlyPriorityT<MeshT> {
  public:
   DECIMATING_MODULE(ModGuardedQuadricT, MeshT, GuardedQuadric);
 
@@ -99,13 +100,18 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   /// \throw InvalidMesh       a coordinate that is not finite.
   void initialize() override;
 
-  float collapse_priority(const CollapseInfo& ci) override {
+  bool decides_order() const override { return !Base::is_binary(); }
+  float early_priority(const CollapseInfo& ci) override {
     Quadric sum = quadrics_[index(ci.v0)];
     sum += quadrics_[index(ci.v1)];
     const double error = scale_ == 1 ? sum(ci.p1) : sum(scaled(ci.v1));
-    if (!(error < limit()) || !keeps_seams(ci.v0v1) || (min_cos_ > -1 && turns_a_face(ci)))
+    return error < limit() ? static_cast<float>(error) : static_cast<float>(Base::ILLEGAL_COLLAPSE);
+  }
+  float collapse_priority(const CollapseInfo& ci) override {
+    const float priority = early_priority(ci);
+    if (priority < 0 || !keeps_seams(ci.v0v1) || (min_cos_ > -1 && turns_a_face(ci)))
       return static_cast<float>(Base::ILLEGAL_COLLAPSE);
-    return static_cast<float>(error);
+    return priority;
   }
 
   void preprocess_collapse(const CollapseInfo& ci) override { attributes_.before(Base::mesh(), ci.v0v1); }

@@ -1,6 +1,7 @@
 #include "whittle/LazyDecimaterT.hh"
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <vector>
 
 #include "OpenMeshFixture.hh"
 #include "measure/Distance.hh"
@@ -34,6 +35,28 @@ IndexedMesh halved(const IndexedMesh& in, bool guarded) {
   out.triangles = left.triangles;
   return out;
 }
+
+/// Prefers to remove vertex 0, into the rim's vertices in an order of its own, but not into the first two.
+template <typename MeshT>
+class NotFirstTwoT : public OpenMesh::Decimater::ModBaseT<MeshT>, public EarlyPriorityT<MeshT> {
+ public:
+  DECIMATING_MODULE(NotFirstTwoT, MeshT, NotFirstTwo);
+  explicit NotFirstTwoT(MeshT& mesh) : Base(mesh, false) {}
+
+  static int place_of(int rim_vertex) { return rim_vertex * 37 % 101; }  // 1..100 for 1..100
+  bool decides_order() const override { return !Base::is_binary(); }
+  float early_priority(const CollapseInfo& ci) override {
+    REQUIRE(decides_order());
+    return ci.v0.idx() == 0 ? static_cast<float>(place_of(ci.v1.idx())) : 1000;
+  }
+  float collapse_priority(const CollapseInfo& ci) override {
+    if (Base::is_binary()) return 0;
+    if (ci.v0.idx() != 0) return 1000;
+    tested.push_back(place_of(ci.v1.idx()));
+    return tested.back() >= 3 ? early_priority(ci) : -1;
+  }
+  std::vector<int> tested;
+};
 
 }  // namespace
 
@@ -95,6 +118,48 @@ TEST_CASE("the lazy decimater reaches its target, and executes a plan, around ve
   const auto lazy = run<LazyDecimaterT, ModVertexDistanceT>(mesh, ivdd);
   CHECK(lazy.points == run<SweepDecimaterT, ModVertexDistanceT>(mesh, ivdd).points);
   CHECK(lazy.triangles.size() < 500);
+}
+
+TEST_CASE(
+    "the lazy decimater tests a hub's collapses in the order of their early priorities, to the first that is "
+    "allowed") {
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::cone(100, 0.5));
+  LazyDecimaterT<Mesh> decimater(mesh);
+  NotFirstTwoT<Mesh>::Handle chosen;
+  decimater.add(chosen);
+  REQUIRE(decimater.initialize());
+  REQUIRE(decimater.decimate(1) == 1);
+  CHECK(decimater.module(chosen).tested == std::vector<int>{1, 2, 3});
+  CHECK(mesh.status(Mesh::VertexHandle(0)).deleted());
+  for (int v = 1; v <= 100; ++v)
+    CHECK((mesh.valence(Mesh::VertexHandle(v)) > 3) == (NotFirstTwoT<Mesh>::place_of(v) == 3));
+}
+
+TEST_CASE("the lazy decimater tests none of a vertex's collapses that cannot be the best") {
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::cone(20, 0.5));
+  LazyDecimaterT<Mesh> decimater(mesh);
+  NotFirstTwoT<Mesh>::Handle chosen;
+  decimater.add(chosen);
+  REQUIRE(decimater.initialize());
+  REQUIRE(decimater.decimate(1) == 1);
+  const std::vector<int>& tested = decimater.module(chosen).tested;
+  for (std::size_t i = 1; i < tested.size(); ++i) CHECK(tested[i] < tested[i - 1]);
+  CHECK(tested.back() == 3);
+  CHECK(tested.size() < 20);
+}
+
+TEST_CASE("the lazy decimater asks for early priorities of the module only that decides the order") {
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::cone(100, 0.5));
+  LazyDecimaterT<Mesh> decimater(mesh);
+  NotFirstTwoT<Mesh>::Handle binary, removed;
+  OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
+  decimater.add(removed);
+  decimater.add(binary);
+  decimater.add(quadric);
+  decimater.remove(removed);
+  decimater.module(binary).set_binary(true);
+  REQUIRE(decimater.initialize());
+  CHECK(decimater.decimate(1) == 1);
 }
 
 TEST_CASE("the lazy decimater honours targets, selection and observers") {

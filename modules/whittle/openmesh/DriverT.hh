@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "whittle/openmesh/EarlyPriorityT.hh"
 #include "whittle/openmesh/HalfedgeCollapse.hh"
 #include "whittle/openmesh/PlannedModule.hh"
 #include "whittle/openmesh/RunReport.hh"
@@ -39,15 +40,16 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     if (!Base::add(handle)) return false;
     ++n_modules_;
     if (auto* planned = dynamic_cast<PlannedModule*>(&Base::module(handle))) planned_.push_back(planned);
+    if (auto* early = dynamic_cast<EarlyPriorityT<Mesh>*>(&Base::module(handle))) early_.push_back(early);
     return true;
   }
 
   template <typename Module>
   bool remove(OpenMesh::Decimater::ModHandleT<Module>& handle) {
-    if (handle.is_valid())
-      planned_.erase(
-          std::remove(planned_.begin(), planned_.end(), dynamic_cast<PlannedModule*>(&Base::module(handle))),
-          planned_.end());
+    if (handle.is_valid()) {
+      forget(planned_, Base::module(handle));
+      forget(early_, Base::module(handle));
+    }
     const bool removed = Base::remove(handle);
     n_modules_ -= removed;
     return removed;
@@ -106,6 +108,13 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   /// The first module with a plan; null if there is none.
   PlannedModule* planned() const { return planned_.empty() ? nullptr : planned_.front(); }
 
+  /// The module that decides the order if it knows priorities early; otherwise null.
+  EarlyPriorityT<Mesh>* early_priorities() const {
+    const auto found =
+        std::find_if(early_.begin(), early_.end(), [](const auto* early) { return early->decides_order(); });
+    return found == early_.end() ? nullptr : *found;
+  }
+
   /// Whether the module with the plan is the only one, and nobody observes the run.
   bool is_plan_alone() { return n_modules_ == 1 && planned() && !this->observer(); }
 
@@ -144,6 +153,11 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
   struct Target {
     std::size_t collapses, vertices, faces;  ///< at most so many collapses; stop at so many vertices or faces
   };
+
+  template <typename Kind, typename Module>
+  static void forget(std::vector<Kind*>& modules, Module& module) {
+    modules.erase(std::remove(modules.begin(), modules.end(), dynamic_cast<Kind*>(&module)), modules.end());
+  }
 
   void update_normals_around(VertexHandle v) {
     for (auto f = mesh_.cvf_iter(v); f.is_valid(); ++f) mesh_.set_normal(*f, mesh_.calc_face_normal(*f));
@@ -204,6 +218,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
 
   Target target_{};
   std::vector<PlannedModule*> planned_;  // in the order in which they were added
+  std::vector<EarlyPriorityT<Mesh>*> early_;
   std::size_t n_modules_ = 0;
   std::size_t collapses_ = 0, vertices_ = 0, faces_ = 0;
   bool halted_ = false;

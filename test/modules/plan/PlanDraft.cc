@@ -196,6 +196,18 @@ TEST_CASE("the flip guard judges by reference normals where there are some") {
   CHECK(verdict({0, 0, 0}, 0.99) == Verdict::accepted);  // no normal, no verdict
 }
 
+TEST_CASE("the flip guard judges each face by its own reference normal, and none that vanishes") {
+  const IndexedMesh mesh = meshes::triangle_in_hexagon({0, 0, 0}, {0.2, 0, 0}, {0.1, 0.3, 0}, 1);
+  for (std::size_t f = 0; f < 10; ++f) {
+    std::vector<Eigen::Vector3d> normals(10, Eigen::Vector3d(0, 0, 1));
+    normals[f] *= -1;
+    const SurfaceT<double> surface(mesh, {{}, {}, normals});
+    // The edge from 0 to 1 has the faces 0 and 3; 7 and 8 are at 2 alone.
+    CHECK((Draft(surface, {0.2}).merge({0, 1}, {0.1, 0, 0}) == Verdict::accepted) ==
+          (f == 0 || f == 3 || f == 7 || f == 8));
+  }
+}
+
 TEST_CASE("the flip guard judges a target as the mesh will hold it") {
   whittle::IndexedMeshT<float> mesh;
   for (const auto& [x, y] :
@@ -301,6 +313,17 @@ TEST_CASE("clusters of any size answer the link condition as a brute search does
     }
     CHECK(accepted > 4);
   }
+}
+
+TEST_CASE("hubs that a refused cluster would have joined are no neighbours after it") {
+  // The tips 0 and 101 over one rim. When 1 has merged into 0, the tips are neighbours, and 50 may not.
+  IndexedMesh mesh = meshes::cone(100, 1);
+  mesh.points.emplace_back(0, 0, -1);
+  for (std::uint32_t i = 0; i < 100; ++i) mesh.triangles.push_back({101, (i + 1) % 100 + 1, i + 1});
+  Bench bench(mesh);
+  REQUIRE(bench.draft.merge({0, 1, 50}, mesh.points[0]) == Verdict::refused_by_link);
+  CHECK(bench.draft.merge({0, 50}, mesh.points[0]) == Verdict::accepted);
+  CHECK(bench.draft.merge({0, 1}, mesh.points[0]) == Verdict::refused_by_link);
 }
 
 TEST_CASE("the flip guard looks at every face of a vertex of very many, again and again") {

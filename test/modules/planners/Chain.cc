@@ -150,6 +150,15 @@ TEST_CASE("a chain scales all its thresholds") {
   CHECK(std::get<1>(half.planners).radius == 0.25);
 }
 
+TEST_CASE("a chain merges along seams if one of its planners does") {
+  FadThenSs chain = fass(30, 0.1);
+  CHECK_FALSE(chain.moves_seams());
+  std::get<1>(chain.planners).seams = Seams::merge;
+  CHECK(chain.moves_seams());
+  std::get<0>(chain.planners).seams = Seams::merge;
+  CHECK(chain.moves_seams());
+}
+
 TEST_CASE("a chain refuses what one of its planners refuses, before it plans") {
   const IndexedMesh mesh = meshes::torus(12, 9);
   for (const FadThenSs& chain :

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "catch.hh"
@@ -119,6 +120,33 @@ TEST_CASE("planners that move no seams leave vertices where they are whose wedge
   CHECK(out.collapses > 0);
   for (std::size_t v = 5; v < mesh.points.size(); v += 12)
     CHECK(out.mesh.points[out.vertex_map[v]] == mesh.points[v]);
+}
+
+TEST_CASE("SS merges vertices on a seam two by two and halfway, whatever the placement") {
+  // A ridge across the seam; the vertex where they meet comes first, with a neighbour on the seam on either side.
+  IndexedMesh mesh =
+      meshes::grid(9, [](std::uint32_t, std::uint32_t j) { return -0.5 * std::abs(double(j) - 4); });
+  std::swap(mesh.points[0], mesh.points[40]);
+  for (auto& t : mesh.triangles)
+    for (std::uint32_t& v : t) v = v == 0 ? 40 : v == 40 ? 0 : v;
+  SurfaceExtras extras;
+  extras.wedges = meshes::wedges_of(
+      mesh, meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; }));
+  const SurfaceT<double> surface(mesh, extras);
+  SphereScan planner;
+  planner.radius = 1.2;
+  planner.seams = Seams::merge;
+  for (const auto placement : {SphereScan::Placement::paper, SphereScan::Placement::quadric}) {
+    planner.placement = placement;
+    std::vector<std::uint32_t> gone;
+    for (const Collapse& collapse : planner.plan(surface).collapses) {
+      if (!surface.is_on_seam(collapse.to)) continue;
+      gone.push_back(collapse.from);
+      CHECK(collapse.rest == 0);
+      CHECK(collapse.target.isApprox((surface.point(collapse.from) + surface.point(collapse.to)) / 2, 1e-15));
+    }
+    CHECK(gone.size() == 3);
+  }
 }
 
 TEST_CASE("the ends of a slit are on a seam for every planner") {

@@ -2,6 +2,7 @@
 
 #include "catch.hh"
 #include "meshes.hh"
+#include "whittle/planners/PieceChoice.hh"
 
 using namespace whittle;
 
@@ -59,6 +60,29 @@ TEST_CASE("the dearest piece always stays, and so does one with a locked vertex"
   extras.tolerance.assign(mesh.points.size(), 1);
   extras.tolerance[48 * 28] = 0;
   CHECK_FALSE(choose(mesh, 1, extras)[1]);
+}
+
+TEST_CASE("a piece that goes leaves as many vertices fewer as it still had") {
+  // Nine vertices of a small grid, of which some have merged before it goes, and six of each octahedron.
+  const IndexedMesh mesh =
+      meshes::together({meshes::placed(meshes::flat_grid(3), 0.1, {-9, 0, 0}), meshes::octahedron(),
+                        meshes::placed(meshes::octahedron(), 0.8, {9, 0, 0})});
+  TargetCount target;
+  target.vertices = 7;
+  CHECK(pieces_by_error(mesh, pieces_of(mesh), {}, target, 1) == std::vector<bool>{true, false, true});
+  target.vertices = 13;
+  CHECK(pieces_by_error(mesh, pieces_of(mesh), {}, target, 1) == std::vector<bool>{true, false, false});
+}
+
+TEST_CASE("pieces below a size go, without the largest and those with a vertex that is held") {
+  const IndexedMesh mesh =
+      meshes::together({meshes::placed(meshes::octahedron(), 0.1, {3, 0, 0}), meshes::octahedron(),
+                        meshes::placed(meshes::octahedron(), 0.1, {6, 0, 0})});
+  SurfaceExtras extras;
+  CHECK(detail::pieces_below(mesh, pieces_of(mesh), extras, 10) == std::vector<bool>{true, false, true});
+  extras.flags.assign(18, 0);
+  extras.flags[2] = kLocked;
+  CHECK(detail::pieces_below(mesh, pieces_of(mesh), extras, 10) == std::vector<bool>{false, false, true});
 }
 
 TEST_CASE("nothing goes where the target is met already, or there is one piece only") {
