@@ -120,6 +120,7 @@ TEST_CASE("IVDD folds a vertex at most once a pass") {
       if (i == 0 || folded.collapses[i - 1].to != c.to) ++clusters[c.to];
     }
     CHECK(*std::max_element(clusters.begin(), clusters.end()) == 1);
+    CHECK(folded.record.refused_by_link == 0);  // what has folded is not tried again
   }
 }
 
