@@ -49,8 +49,7 @@ inline void place_at_held_ends(const Mesh& mesh, const FourEdges& edges, const F
   }
 }
 
-/// How much a change of the enclosed volume counts, squared and divided by the trace of the quadrics. Of 3, 10, 30 and 100
-/// this ends closest to the input.
+/// How much a change of the enclosed volume counts, squared and divided by the trace of the quadrics.
 constexpr float kVolumeWeight = 10;
 
 /// The areas at four vertices.
