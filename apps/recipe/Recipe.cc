@@ -109,6 +109,17 @@ Task make_task(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& mon
           monitor};
 }
 
+/// Whether a mesh may take the result's place: there is no bound, or it keeps the bound, or it lies no farther from the
+/// input than the result does. Takes down how far it lies.
+bool keeps_bound(const IndexedMesh& input, const IndexedMesh& mesh, std::optional<double> bound,
+                 Result& result) {
+  if (!bound) return true;
+  const double distance = measure::excess(input, mesh, *bound).max;
+  if (distance > *bound && distance > *result.distance) return false;
+  result.distance = distance;
+  return true;
+}
+
 /// Refits the result, unless that breaks the bound.
 void refit_result(const Task& task, std::optional<double> bound, Result& result) {
   RefitOptions options;
@@ -118,14 +129,8 @@ void refit_result(const Task& task, std::optional<double> bound, Result& result)
     if (task.extras.tolerance[v] == 0) options.flags[v] |= kLocked;
   IndexedMesh mesh = result.mesh;
   const RefitReport report = refit(task.mesh, mesh, result.vertex_map, result.face_origin, options);
-  if (bound) {
-    const double distance = measure::excess(task.mesh, mesh, *bound).max;
-    if (distance > *bound && distance > *result.distance) {
-      result.refit_dropped = true;
-      return;
-    }
-    result.distance = distance;
-  }
+  result.refit_dropped = !keeps_bound(task.mesh, mesh, bound, result);
+  if (result.refit_dropped) return;
   result.refit = report;
   result.mesh = std::move(mesh);
 }
@@ -137,14 +142,8 @@ void retriangulate_result(const IndexedMesh& input, const Recipe& recipe, std::o
   std::vector<IndexedMesh::Triangle> after = before;
   IndexedMesh mesh =
       retriangulate(result.mesh, *recipe.delaunay, result.delaunay, result.refused_faces, after);
-  if (bound) {
-    const double distance = measure::excess(input, mesh, *bound).max;
-    if (distance > *bound && distance > *result.distance) {
-      result.retriangulation_dropped = true;
-      return;
-    }
-    result.distance = distance;
-  }
+  result.retriangulation_dropped = !keeps_bound(input, mesh, bound, result);
+  if (result.retriangulation_dropped) return;
   result.attributes = attributes::rewedged(result.attributes, before, after);
   result.mesh = std::move(mesh);
   result.face_origin.clear();

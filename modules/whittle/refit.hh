@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "whittle/plan/execute.hh"
@@ -75,21 +74,19 @@ RefitReport refit(const IndexedMeshT<Real>& original, IndexedMeshT<Real>& mesh,
       stays[vertex_map[v]] = true;
   const refitting::Frame<Real> frame(original.points);
   refitting::Fitted fitted(mesh, frame, stays);
-  const std::vector<refitting::Vec> start = fitted.points;
+  const std::vector<refitting::Vec> start = fitted.points, points = frame.local(original.points);
   std::vector<refitting::Vec> upright;
   upright.reserve(face_origin.size());
   for (const std::uint32_t f : face_origin) {
     const auto& [a, b, c] = original.triangles[f];
-    const refitting::Vec p = frame.local(original.points[a]);
-    upright.push_back((frame.local(original.points[b]) - p).cross(frame.local(original.points[c]) - p));
+    upright.push_back((points[b] - points[a]).cross(points[c] - points[a]));
   }
 
-  detail::Crew crew(options.threads > 0 ? options.threads
-                                        : std::max(1u, std::thread::hardware_concurrency()));
+  detail::Crew crew(detail::thread_count(options.threads));
   RefitReport report;
   for (std::size_t round = 0; round < options.rounds; ++round) {
     fitted.set_faces(crew);
-    const auto samples = refitting::attach(original, frame, vertex_map, fitted, crew);
+    const auto samples = refitting::attach(points, original.triangles, vertex_map, fitted, crew);
     const auto equations = refitting::equations(fitted, samples, original.triangles.size(), crew);
     refitting::Solver solver(fitted, equations, upright);
     solver.sweep();

@@ -2,9 +2,7 @@
 /// A planner run on flat arrays, with a surface only where it needs one.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <thread>
 #include <type_traits>
 #include <utility>
 
@@ -12,6 +10,7 @@
 #include "whittle/plan/Stages.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
+#include "whittle/surface/threads.hh"
 
 namespace whittle::detail {
 
@@ -32,7 +31,7 @@ struct plans_without_surface<Planner, Real,
 template <typename Planner, typename Real, typename Enough>
 RepeatedPlan plan_mesh(const Planner& planner, const IndexedMeshT<Real>& mesh, SurfaceExtras extras,
                        std::size_t max_passes, std::size_t threads, Enough enough) {
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  threads = thread_count(threads);
   if constexpr (plans_without_surface<Planner, Real>::value)
     if (max_passes == 1) return {planner.plan(mesh, std::move(extras), threads), 1};
   const SurfaceT<Real> surface(mesh, std::move(extras), threads);

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "whittle/plan/execute.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Lists.hh"
 #include "whittle/surface/threads.hh"
@@ -33,7 +32,12 @@ struct Frame {
     const Real side = (high / 2 - low / 2).maxCoeff() * 2;
     if (side > 0) scale = side;
   }
-  Vec local(const Point& p) const { return ((p - center) / scale).template cast<float>(); }
+  std::vector<Vec> local(const std::vector<Point>& points) const {
+    std::vector<Vec> out;
+    out.reserve(points.size());
+    for (const Point& p : points) out.push_back(((p - center) / scale).template cast<float>());
+    return out;
+  }
 
   Point center;
   Real scale = 1;
@@ -61,17 +65,16 @@ struct Face {
 
 /// What is known of the simplified mesh.
 struct Fitted {
-  /// \param stays  for each vertex whether it keeps its place besides those on the boundary; or empty
+  /// \param stays  for each vertex whether it keeps its place; those on the boundary do in any case
   template <typename Real>
   Fitted(const IndexedMeshT<Real>& mesh, const Frame<Real>& frame, const std::vector<bool>& stays)
       : triangles(mesh.triangles),
         corners(detail::Lists::of_corners(mesh.triangles, mesh.points.size())),
-        is_free(mesh.points.size()) {
-    points.reserve(mesh.points.size());
-    for (const auto& p : mesh.points) points.push_back(frame.local(p));
-    for (std::uint32_t v = 0; v < points.size(); ++v)
-      is_free[v] = !(v < stays.size() && stays[v]) && is_inner(v);
-    faces.resize(triangles.size());
+        is_free(mesh.points.size()),
+        points(frame.local(mesh.points)),
+        faces(triangles.size()) {
+    std::vector<std::uint32_t> next, previous;
+    for (std::uint32_t v = 0; v < points.size(); ++v) is_free[v] = !stays[v] && is_inner(v, next, previous);
   }
 
   void set_faces(detail::Crew& crew) {
@@ -92,9 +95,9 @@ struct Fitted {
 
  private:
   /// Whether each edge at a vertex has two faces, which agree about its direction.
-  bool is_inner(std::uint32_t v) const {
-    std::vector<std::uint32_t>& next = scratch_[0];
-    std::vector<std::uint32_t>& previous = scratch_[1];
+  /// \param next, previous  room for its neighbours
+  bool is_inner(std::uint32_t v, std::vector<std::uint32_t>& next,
+                std::vector<std::uint32_t>& previous) const {
     next.clear();
     previous.clear();
     const auto [begin, end] = corners.of(v);
@@ -106,7 +109,6 @@ struct Fitted {
     std::sort(previous.begin(), previous.end());
     return begin != end && next == previous && std::adjacent_find(next.begin(), next.end()) == next.end();
   }
-  mutable std::array<std::vector<std::uint32_t>, 2> scratch_;
 };
 
 }  // namespace whittle::refitting

@@ -62,18 +62,18 @@ inline Sample attached(const Fitted& fitted, std::uint32_t v, const Vec& p, cons
 }
 
 /// The samples of all faces of the original that have an area: three each, halfway from the centroid to the corners.
+/// \param points      of the original, in the frame.
+/// \param triangles   of the original.
 /// \param vertex_map  for each vertex of the original the one that it became, or one that is not there
-template <typename Real>
-std::vector<Sample> attach(const IndexedMeshT<Real>& original, const Frame<Real>& frame,
-                           const std::vector<std::uint32_t>& vertex_map, const Fitted& fitted,
-                           detail::Crew& crew) {
+inline std::vector<Sample> attach(const std::vector<Vec>& points, const std::vector<Triangle>& triangles,
+                                  const std::vector<std::uint32_t>& vertex_map, const Fitted& fitted,
+                                  detail::Crew& crew) {
   constexpr std::size_t kAtOnce = 4096;
-  std::vector<Sample> samples(3 * original.triangles.size());
-  crew.each_range(original.triangles.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
+  std::vector<Sample> samples(3 * triangles.size());
+  crew.each_range(triangles.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
-      const auto& t = original.triangles[f];
-      const std::array<Vec, 3> p{frame.local(original.points[t[0]]), frame.local(original.points[t[1]]),
-                                 frame.local(original.points[t[2]])};
+      const Triangle& t = triangles[f];
+      const std::array<Vec, 3> p{points[t[0]], points[t[1]], points[t[2]]};
       const Face face(p[0], p[1], p[2]);
       if (!(face.area > 0)) continue;
       const Vec centroid = (p[0] + p[1] + p[2]) / 3;

@@ -15,6 +15,11 @@
 
 namespace whittle::detail {
 
+/// So many threads; for 0 as many as the machine runs at once.
+inline std::size_t thread_count(std::size_t wanted) {
+  return wanted > 0 ? wanted : std::max(1u, std::thread::hardware_concurrency());
+}
+
 /// The calling thread and its helpers. Late helpers are not waited for. Waiting threads spin briefly,
 /// yielding, before they block, as blocking and waking take longer than many a round.
 class Crew {
