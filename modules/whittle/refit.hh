@@ -10,7 +10,7 @@
 
 #include "whittle/plan/execute.hh"
 #include "whittle/refit/Fitted.hh"
-#include "whittle/refit/samples.hh"
+#include "whittle/refit/homes.hh"
 #include "whittle/refit/solve.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
@@ -72,27 +72,21 @@ RefitReport refit(const IndexedMeshT<Real>& original, IndexedMeshT<Real>& mesh,
   for (std::size_t v = 0; v < options.flags.size(); ++v)
     if ((options.flags[v] & (kLocked | kFeature | kSeam)) != 0 && vertex_map[v] < stays.size())
       stays[vertex_map[v]] = true;
-  const refitting::Frame<Real> frame(original.points);
-  refitting::Fitted fitted(mesh, frame, stays);
-  const std::vector<refitting::Vec> start = fitted.points, points = frame.local(original.points);
-  std::vector<refitting::Vec> upright;
-  upright.reserve(face_origin.size());
-  for (const std::uint32_t f : face_origin) {
-    const auto& [a, b, c] = original.triangles[f];
-    upright.push_back((points[b] - points[a]).cross(points[c] - points[a]));
-  }
-
   detail::Crew crew(detail::thread_count(options.threads));
+  const refitting::Frame<Real> frame(original.points);
+  const refitting::Original input(original, frame, crew);
+  refitting::Fitted fitted(mesh, frame, stays, crew);
+  const std::vector<refitting::Vec> start = fitted.points;
+  std::vector<std::uint32_t> homes;
   RefitReport report;
   for (std::size_t round = 0; round < options.rounds; ++round) {
     fitted.set_faces(crew);
-    const auto samples = refitting::attach(points, original.triangles, vertex_map, fitted, crew);
-    const auto equations = refitting::equations(fitted, samples, original.triangles.size(), crew);
-    refitting::Solver solver(fitted, equations, upright);
-    solver.sweep();
-    report.refused += solver.sweep();
+    if (round == 0) homes = refitting::find_homes(input, vertex_map, face_origin, fitted, crew);
+    const auto sums = refitting::sums_of(input, homes, fitted, crew);
+    report.refused +=
+        refitting::move_all(fitted, sums, refitting::step(round, options.rounds), input, face_origin, crew);
   }
-  for (std::size_t v = 0; v < start.size(); ++v) {
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     if (fitted.points[v] == start[v]) continue;
     mesh.points[v] += frame.scale * (fitted.points[v] - start[v]).template cast<Real>();
     ++report.moved;

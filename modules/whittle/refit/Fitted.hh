@@ -32,10 +32,14 @@ struct Frame {
     const Real side = (high / 2 - low / 2).maxCoeff() * 2;
     if (side > 0) scale = side;
   }
-  std::vector<Vec> local(const std::vector<Point>& points) const {
-    std::vector<Vec> out;
-    out.reserve(points.size());
-    for (const Point& p : points) out.push_back(((p - center) / scale).template cast<float>());
+  /// With one point more at the end, so that each has another float after it, as `mq::gathered` wants.
+  std::vector<Vec> local(const std::vector<Point>& points, detail::Crew& crew) const {
+    constexpr std::size_t kAtOnce = 16384;
+    std::vector<Vec> out(points.size() + 1);
+    crew.each_range(points.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        out[v] = ((points[v] - center) / scale).template cast<float>();
+    });
     return out;
   }
 
@@ -43,13 +47,15 @@ struct Frame {
   Real scale = 1;
 };
 
-/// A face of the simplified mesh.
-struct Face {
+/// A face of the simplified mesh, as three rows of four floats.
+struct alignas(16) Face {
   Vec normal = Vec::Zero();  ///< of length 1; 0 if the face has no area
   float area = 0;
-  // Barycentric coordinates of corners 0 and 1 at p: along[i] p + offset[i].
-  std::array<Vec, 2> along{Vec::Zero(), Vec::Zero()};
-  std::array<float, 2> offset{};
+  // Barycentric coordinates of corners 0 and 1 at p: along p + offset.
+  Vec along_0 = Vec::Zero();
+  float offset_0 = 0;
+  Vec along_1 = Vec::Zero();
+  float offset_1 = 0;
 
   Face() = default;
   Face(const Vec& a, const Vec& b, const Vec& c) {
@@ -58,27 +64,37 @@ struct Face {
     if (!(square > 0) || !std::isfinite(1 / square)) return;
     normal = cross / length;
     area = length / 2;
-    along = {cross.cross(c - b) / square, cross.cross(a - c) / square};
-    offset = {-along[0].dot(b), -along[1].dot(c)};
+    along_0 = cross.cross(c - b) / square;
+    along_1 = cross.cross(a - c) / square;
+    offset_0 = -along_0.dot(b);
+    offset_1 = -along_1.dot(c);
   }
 };
 
 /// What is known of the simplified mesh.
 struct Fitted {
+  static constexpr std::size_t kAtOnce = 4096;  // faces or vertices that a thread takes
+
   /// \param stays  for each vertex whether it keeps its place; those on the boundary do in any case
   template <typename Real>
-  Fitted(const IndexedMeshT<Real>& mesh, const Frame<Real>& frame, const std::vector<bool>& stays)
+  Fitted(const IndexedMeshT<Real>& mesh, const Frame<Real>& frame, const std::vector<bool>& stays,
+         detail::Crew& crew)
       : triangles(mesh.triangles),
         corners(detail::Lists::of_corners(mesh.triangles, mesh.points.size())),
         is_free(mesh.points.size()),
-        points(frame.local(mesh.points)),
+        points(frame.local(mesh.points, crew)),
         faces(triangles.size()) {
-    std::vector<std::uint32_t> next, previous;
-    for (std::uint32_t v = 0; v < points.size(); ++v) is_free[v] = !stays[v] && is_inner(v, next, previous);
+    const std::size_t n = n_vertices();
+    crew.each_range(n, (n + crew.size() - 1) / crew.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> marks(n, kNoMark);
+      for (std::size_t v = begin; v < end; ++v)
+        is_free[v] = !stays[v] && is_inner(static_cast<std::uint32_t>(v), marks);
+    });
   }
 
+  std::size_t n_vertices() const { return is_free.size(); }
+
   void set_faces(detail::Crew& crew) {
-    constexpr std::size_t kAtOnce = 4096;
     crew.each_range(faces.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
         const auto& [a, b, c] = triangles[f];
@@ -90,24 +106,28 @@ struct Fitted {
   const std::vector<Triangle>& triangles;
   detail::Lists corners;      ///< of each vertex; corner k of face f is 3 f + k
   std::vector<char> is_free;  ///< whether a vertex may move
-  std::vector<Vec> points;
+  std::vector<Vec> points;    ///< and one more
   std::vector<Face> faces;
 
  private:
+  static constexpr std::uint32_t kNoMark = 0xffffffffu;
+
   /// Whether each edge at a vertex has two faces, which agree about its direction.
-  /// \param next, previous  room for its neighbours
-  bool is_inner(std::uint32_t v, std::vector<std::uint32_t>& next,
-                std::vector<std::uint32_t>& previous) const {
-    next.clear();
-    previous.clear();
+  /// \param marks  for each vertex 2 w if it comes next in a face around w, the last vertex asked about; 2 w + 1 if it comes
+  ///               before w in another one, too
+  bool is_inner(std::uint32_t v, std::vector<std::uint32_t>& marks) const {
     const auto [begin, end] = corners.of(v);
     for (const std::uint32_t* c = begin; c != end; ++c) {
-      next.push_back(triangles[*c / 3][(*c + 1) % 3]);
-      previous.push_back(triangles[*c / 3][(*c + 2) % 3]);
+      std::uint32_t& mark = marks[triangles[*c / 3][(*c + 1) % 3]];
+      if (mark == 2 * v) return false;
+      mark = 2 * v;
     }
-    std::sort(next.begin(), next.end());
-    std::sort(previous.begin(), previous.end());
-    return begin != end && next == previous && std::adjacent_find(next.begin(), next.end()) == next.end();
+    for (const std::uint32_t* c = begin; c != end; ++c) {
+      std::uint32_t& mark = marks[triangles[*c / 3][(*c + 2) % 3]];
+      if (mark != 2 * v) return false;
+      mark = 2 * v + 1;
+    }
+    return begin != end;
   }
 };
 

@@ -1,129 +1,180 @@
 /// \file
-/// The moves of the vertices that bring a simplified mesh closest to the samples of the original.
+/// The moves of the vertices that bring a simplified mesh closer to the original.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
+#include "whittle/mq/Four.hh"
 #include "whittle/mq/SymmetricMatrix.hh"
 #include "whittle/refit/Fitted.hh"
-#include "whittle/refit/samples.hh"
+#include "whittle/refit/homes.hh"
 
 namespace whittle::refitting {
 
-using mq::SymmetricMatrix;
+/// What a vertex knows of the points around it, for u, its best move if its neighbours move alike: the first three rows,
+/// a symmetric matrix, times u are the last row.
+using Sum = Eigen::Matrix<float, 4, 3>;
 
-/// A face's share of the normal equations.
-struct Equations {
-  std::array<SymmetricMatrix, 3> own;   ///< of each corner
-  std::array<SymmetricMatrix, 3> with;  ///< of each corner and the next
-  std::array<Vec, 3> sides{Vec::Zero(), Vec::Zero(), Vec::Zero()};
-};
+/// Adds the squares of the distances of three points of a face of the original from its home, halfway from its centroid to
+/// its corners, each along the original's normal.
+/// \param sums  of all vertices
+inline void add_points(const Original& original, std::size_t f, const Fitted& fitted, std::uint32_t home,
+                       Sum* sums) {
+  constexpr float kUnlike = 0.5f,  // the cosine from which down a home does not count; it counts in full at 1
+      kSixth = 1.0f / 6, kShare = 1 / (3 * (1 - kUnlike));
+  using mq::Four;
+  const Face& face = fitted.faces[home];
+  const auto& [normal, area] = original.normals[f];
+  const float cosine = normal.dot(face.normal);
+  if (!(cosine > kUnlike)) return;
+  const auto& [a, b, c] = original.triangles[f];
+  const auto& corners = fitted.triangles[home];
+  const float* const p = original.points[a].data();
+  const float* const q = fitted.points[corners[0]].data();
+  const mq::FourVectors points = mq::gathered({p, original.points[b].data(), original.points[c].data(), p}),
+                        corner_points = mq::gathered(
+                            {q, fitted.points[corners[1]].data(), fitted.points[corners[2]].data(), q});
+  const auto dot = [](const mq::FourVectors& v, const Vec& w) -> Four {
+    return v.x() * w.x() + v.y() * w.y() + v.z() * w.z();
+  };
+  const auto halfway = [&](const Vec& along, float offset) -> Four {
+    const Four at = dot(points, along);
+    return at * 0.5f + ((at[0] + at[1] + at[2]) * kSixth + offset);
+  };
+  Four x = halfway(face.along_0, face.offset_0), y = halfway(face.along_1, face.offset_1);
+  Four z = (1 - x - y).max(0.0f);
+  x = x.max(0.0f);
+  y = y.max(0.0f);
+  const Four scale = 1 / (x + y + z), heights = dot(corner_points, normal);
+  const std::array<Four, 3> at{x * scale, y * scale, z * scale};
+  // n.p is the same for all points of the face.
+  const Four distance = dot(points, normal)[0] - at[0] * heights[0] - at[1] * heights[1] - at[2] * heights[2];
+  const Vec weighted = kShare * area * (cosine - kUnlike) * normal;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Four moment = at[k] * distance;
+    const float share = at[k][0] + at[k][1] + at[k][2];
+    const Eigen::Vector4f row(share * normal.x(), share * normal.y(), share * normal.z(),
+                              moment[0] + moment[1] + moment[2]);
+    sums[corners[k]] += row * weighted.transpose();
+  }
+}
 
-/// Least squares of the samples' distances from the faces. What the samples leave open the faces' own planes hold, the more
-/// the fewer samples there are.
-inline std::vector<Equations> equations(const Fitted& fitted, const std::vector<Sample>& samples,
-                                        std::size_t n_original_faces, detail::Crew& crew) {
+/// The sums of all vertices. What the points leave open the faces' own planes hold, the more the fewer points there are.
+inline std::vector<Sum> sums_of(const Original& original, const std::vector<std::uint32_t>& homes,
+                                const Fitted& fitted, detail::Crew& crew) {
   constexpr float kHold = 0.4f;
-  const std::size_t n = fitted.faces.size(), at_once = (n + crew.size() - 1) / crew.size();
-  const float hold = kHold * static_cast<float>(n) / static_cast<float>(n_original_faces) / 3;
-  std::vector<Equations> all(n);
-  // Each range goes through all samples: the sums are the same for any number of threads.
-  crew.each_range(n, at_once, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f)
-      all[f].own.fill(SymmetricMatrix::outer(fitted.faces[f].normal, hold * fitted.faces[f].area));
-    for (const Sample& sample : samples) {
-      if (sample.face < begin || sample.face >= end) continue;
-      Equations& own = all[sample.face];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const float here = sample.at[k], next = sample.at[(k + 1) % 3];
-        own.own[k] += SymmetricMatrix::outer(sample.normal, here * here);
-        own.with[k] += SymmetricMatrix::outer(sample.normal, here * next);
-        own.sides[k] += (here * sample.distance) * sample.normal;
+  constexpr std::size_t kMostSlices = 16;
+  const std::size_t n = fitted.n_vertices(), n_faces = homes.size();
+  // Each slice of the original has sums of its own, and there are as many for any number of threads: so are the results.
+  const std::size_t slices = std::clamp<std::size_t>(n_faces / n, 1, kMostSlices),
+                    at_once = (n_faces + slices - 1) / slices;
+  std::vector<Sum> sums(slices * n, Sum::Zero());
+  crew.each(slices, [&](std::size_t slice) {
+    for (std::size_t f = slice * at_once; f < std::min(n_faces, (slice + 1) * at_once); ++f)
+      if (homes[f] != kNoFace) add_points(original, f, fitted, homes[f], &sums[slice * n]);
+  });
+  const float hold = kHold / 3 * static_cast<float>(fitted.faces.size()) / static_cast<float>(n_faces);
+  crew.each_range(n, Fitted::kAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      Sum& sum = sums[v];
+      for (std::size_t slice = 1; slice < slices; ++slice) sum += sums[slice * n + v];
+      const auto [first, last] = fitted.corners.of(v);
+      for (const std::uint32_t* c = first; c != last; ++c) {
+        const Face& face = fitted.faces[*c / 3];
+        sum += Eigen::Vector4f(face.normal.x(), face.normal.y(), face.normal.z(), 0) *
+               (hold * face.area * face.normal).transpose();
       }
     }
   });
-  return all;
+  sums.resize(n);
+  return sums;
 }
 
-/// Solves by Gauss-Seidel, vertex by vertex.
-class Solver {
- public:
-  /// \param upright  for each face its normal in the original, of any length
-  Solver(Fitted& fitted, const std::vector<Equations>& equations, const std::vector<Vec>& upright)
-      : fitted_(fitted),
-        equations_(equations),
-        upright_(upright),
-        start_(fitted.points),
-        moves_(fitted.points.size(), Vec::Zero()) {}
+/// The factor of the moves in a round. Where neighbours do not move alike, moves are too short, by a factor that depends on
+/// how different they are and mostly lies in 1.1..2.6; rounds with different factors, as those of Chebyshev's iteration,
+/// leave the least error of all of them. The largest comes first.
+inline float step(std::size_t round, std::size_t rounds) {
+  constexpr double kPi = 3.14159265358979323846, kCenter = 0.644, kHalfWidth = 0.268;  // of the reciprocals
+  const double angle = kPi * (2 * static_cast<double>(round) + 1) / (2 * static_cast<double>(rounds));
+  return static_cast<float>(1 / (kCenter - kHalfWidth * std::cos(angle)));
+}
 
-  /// \return how many moves were refused.
-  std::size_t sweep() {
-    std::size_t refused = 0;
-    for (std::uint32_t v = 0; v < start_.size(); ++v) {
-      if (!fitted_.is_free[v]) continue;
-      const Vec move = best_move(v);
-      if (move == moves_[v]) continue;
-      if (!is_allowed(v, start_[v] + move)) {
-        ++refused;
-        continue;
-      }
-      moves_[v] = move;
-      fitted_.points[v] = start_[v] + move;
+/// Where a vertex has the least error if its neighbours move alike, or further by a factor; from its place at most a fifth
+/// of its shortest edge away.
+inline Vec moved(const Fitted& fitted, std::uint32_t v, const Sum& sum, float factor) {
+  constexpr float kPull = 1e-3f, kFarthest = 0.2f;
+  const Vec& here = fitted.points[v];
+  mq::SymmetricMatrix matrix{sum(0, 0), sum(1, 0), sum(2, 0), sum(1, 1), sum(2, 1), sum(2, 2)};
+  const float trace = matrix.trace();
+  if (!(trace > 0)) return here;
+  matrix += mq::SymmetricMatrix::identity(kPull * trace);
+  Vec pivots;
+  const Vec move = factor * matrix.solve(sum.row(3).transpose(), pivots);
+  if (!(pivots.minCoeff() > 0) || !move.allFinite()) return here;
+  float shortest = std::numeric_limits<float>::infinity();
+  const auto [begin, end] = fitted.corners.of(v);
+  for (const std::uint32_t* c = begin; c != end; ++c)
+    shortest =
+        std::min(shortest, (fitted.points[fitted.triangles[*c / 3][(*c + 1) % 3]] - here).squaredNorm());
+  const float length = move.norm(), farthest = kFarthest * std::sqrt(shortest);
+  return here + (length > farthest ? Vec(move * (farthest / length)) : move);
+}
+
+/// Whether a face would turn by more than about 45 degrees, or over against the original, with its corners there.
+/// \param upright  its normal in the original, of length 1
+inline bool turns_too_far(const Face& before, const Vec& upright, const Vec& a, const Vec& b, const Vec& c) {
+  constexpr float kLeastCosine = 0.7f;
+  const Vec normal = (b - a).cross(c - a);
+  const float length = normal.norm(), cosine = upright.dot(normal);
+  if (before.area > 0 && !(before.normal.dot(normal) > kLeastCosine * length)) return true;
+  return !(cosine > 0) && !(cosine >= upright.dot(before.normal) * length);
+}
+
+/// Moves the vertices; the corners of a face that would turn too far stay.
+/// \return how many stay for that
+inline std::size_t move_all(Fitted& fitted, const std::vector<Sum>& sums, float factor,
+                            const Original& original, const std::vector<std::uint32_t>& face_origin,
+                            detail::Crew& crew) {
+  std::vector<Vec> there(fitted.points);
+  crew.each_range(fitted.n_vertices(), Fitted::kAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      if (fitted.is_free[v]) there[v] = moved(fitted, static_cast<std::uint32_t>(v), sums[v], factor);
+  });
+  std::vector<char> turns(fitted.faces.size());
+  const auto turns_now = [&](std::size_t f) {
+    const auto& [a, b, c] = fitted.triangles[f];
+    return turns_too_far(fitted.faces[f], original.normals[face_origin[f]].direction, there[a], there[b],
+                         there[c]);
+  };
+  crew.each_range(turns.size(), Fitted::kAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) turns[f] = turns_now(f);
+  });
+  std::size_t refused = 0;
+  std::vector<std::uint32_t> open;  // faces that may turn too far
+  for (std::uint32_t f = 0; f < turns.size(); ++f)
+    if (turns[f]) open.push_back(f);
+  while (!open.empty()) {
+    const std::uint32_t f = open.back();
+    open.pop_back();
+    if (!turns_now(f)) continue;
+    for (const std::uint32_t v : fitted.triangles[f]) {
+      if (there[v] == fitted.points[v]) continue;
+      there[v] = fitted.points[v];
+      ++refused;
+      const auto [begin, end] = fitted.corners.of(v);
+      for (const std::uint32_t* c = begin; c != end; ++c) open.push_back(*c / 3);
     }
-    return refused;
   }
-
- private:
-  /// Where the neighbours' moves leave the least error; at most a fifth of the shortest edge long.
-  Vec best_move(std::uint32_t v) const {
-    constexpr float kPull = 1e-3f, kFarthest = 0.2f;
-    SymmetricMatrix sum;
-    Vec side = Vec::Zero();
-    float shortest = std::numeric_limits<float>::infinity();
-    const auto [begin, end] = fitted_.corners.of(v);
-    for (const std::uint32_t* c = begin; c != end; ++c) {
-      const Equations& face = equations_[*c / 3];
-      const Triangle& t = fitted_.triangles[*c / 3];
-      const std::size_t k = *c % 3, next = (k + 1) % 3, previous = (k + 2) % 3;
-      sum += face.own[k];
-      side += face.sides[k] - face.with[k] * moves_[t[next]] - face.with[previous] * moves_[t[previous]];
-      shortest = std::min(shortest, (start_[t[next]] - start_[v]).squaredNorm());
-    }
-    if (!(sum.trace() > 0)) return moves_[v];
-    Vec pivots;
-    const Vec move = (sum + SymmetricMatrix::identity(kPull * sum.trace())).solve(side, pivots);
-    if (!(pivots.minCoeff() > 0) || !move.allFinite()) return moves_[v];
-    const float length = move.norm(), farthest = kFarthest * std::sqrt(shortest);
-    return length > farthest ? Vec(move * (farthest / length)) : move;
-  }
-
-  /// Whether no face around turns by more than about 45 degrees, or over against the original.
-  bool is_allowed(std::uint32_t v, const Vec& there) const {
-    constexpr float kLeastCosine = 0.7f;
-    const auto [begin, end] = fitted_.corners.of(v);
-    for (const std::uint32_t* c = begin; c != end; ++c) {
-      const std::uint32_t f = *c / 3;
-      const Triangle& t = fitted_.triangles[f];
-      const Vec normal =
-          (fitted_.points[t[(*c + 1) % 3]] - there).cross(fitted_.points[t[(*c + 2) % 3]] - there);
-      const Vec& before = fitted_.faces[f].normal;
-      const float length = normal.norm(), upright = upright_[f].dot(normal);
-      if (fitted_.faces[f].area > 0 && !(before.dot(normal) > kLeastCosine * length)) return false;
-      if (!(upright > 0) && !(upright >= upright_[f].dot(before) * length)) return false;
-    }
-    return true;
-  }
-
-  Fitted& fitted_;
-  const std::vector<Equations>& equations_;
-  const std::vector<Vec>& upright_;
-  std::vector<Vec> start_, moves_;
-};
+  fitted.points = std::move(there);
+  return refused;
+}
 
 }  // namespace whittle::refitting
