@@ -22,7 +22,8 @@ struct RecipeOptions {
   std::size_t samples = measure::DistanceOptions().samples;
   double weld = 0;
   std::string max_distance, weights, driver = "auto", repair = "report", pieces = "keep";
-  bool force = false, refit = false;
+  bool force = false;
+  std::optional<bool> refit;
 };
 
 /// Adds all of them; `with_target` leaves out or adds --ratio, --faces and --vertices.

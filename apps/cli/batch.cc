@@ -73,7 +73,7 @@ std::vector<std::string> simplify_arguments(const Options& options) {
   if (options.weld > 0) add("--weld", text::shortest(options.weld));
   add("--pieces", options.pieces);
   if (options.force) out.emplace_back("--force");
-  if (options.refit) out.emplace_back("--refit");
+  if (options.refit) out.emplace_back(*options.refit ? "--refit" : "--no-refit");
   if (options.ascii) out.emplace_back("--ascii");
   return out;
 }

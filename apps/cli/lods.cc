@@ -91,8 +91,7 @@ recipe::Recipe recipe_for(const Options& options, std::size_t faces) {
 std::vector<Level> make_levels(const Options& options, const files::MeshFile& in,
                                const recipe::Givens& givens) {
   const bool plan_once = options.modules.empty() && options.max_distance.empty() && !options.delaunay &&
-                         options.driver == "auto" && options.pieces == "keep" && !options.force &&
-                         !options.refit;
+                         options.driver == "auto" && options.pieces == "keep" && !options.force;
   std::optional<recipe::Progression> progression;
   if (plan_once) progression.emplace(in.mesh, givens);
   std::vector<Level> levels;
@@ -100,12 +99,12 @@ std::vector<Level> make_levels(const Options& options, const files::MeshFile& in
     const double share = std::pow(options.step, static_cast<double>(i));
     const auto wanted = std::max<std::size_t>(
         1, static_cast<std::size_t>(share * static_cast<double>(in.mesh.triangles.size())));
-    Level level{
-        progression ? progression->at(wanted) : recipe::run(in.mesh, recipe_for(options, wanted), {}, givens),
-        wanted,
-        {},
-        nullptr,
-        ""};
+    Level level{progression ? progression->at(wanted, options.refit.value_or(true))
+                            : recipe::run(in.mesh, recipe_for(options, wanted), {}, givens),
+                wanted,
+                {},
+                nullptr,
+                ""};
     measure::DistanceOptions sampling;
     sampling.samples = options.samples;
     level.distance = measure::distance(in.mesh, level.result.mesh, sampling);

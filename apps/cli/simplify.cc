@@ -59,10 +59,11 @@ Json delaunay_json(const Options& options, const recipe::Result& result) {
           {"dropped_for_the_bound", result.retriangulation_dropped}};
 }
 
-Json refit_json(const Options& options, const recipe::Result& result) {
-  if (!options.refit) return nullptr;
-  return {{"vertices_moved", result.refit.moved},
-          {"moves_refused", result.refit.refused},
+Json refit_json(const recipe::Result& result) {
+  if (!result.refit && !result.refit_dropped) return nullptr;
+  const RefitReport refit = result.refit.value_or(RefitReport());
+  return {{"vertices_moved", refit.moved},
+          {"moves_refused", refit.refused},
           {"dropped_for_the_bound", result.refit_dropped}};
 }
 
@@ -103,7 +104,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
             {"faces_gone", result.faces_of_pieces_gone}}},
           {"weights", options.weights.empty() ? Json(nullptr) : Json(options.weights)},
           {"stages", stages},
-          {"refit", refit_json(options, result)},
+          {"refit", refit_json(result)},
           {"delaunay", delaunay_json(options, result)},
           {"target", target_json(options)},
           {"target_reached", result.target_reached},

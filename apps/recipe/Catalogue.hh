@@ -71,6 +71,7 @@ struct Module {
   /// nothing is left to do.
   std::string threshold = {};
   bool ends_by_itself = false;  ///< goes a sensible way without threshold, target or bound
+  bool refits = false;          ///< what it makes is refitted unless told otherwise
   bool cheapest_first = false;  ///< without a threshold, collapses in the order of the error it causes
   bool moves_seams = false;  ///< vertices merge along seams of texture; others hold them, or do so if asked
   bool plans_to_target = false;  ///< the planner knows the target, and tells nothing before it has planned

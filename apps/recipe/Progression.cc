@@ -29,10 +29,11 @@ Progression::Progression(const IndexedMesh& mesh, const Givens& givens, const Mo
   plan_ = plan(mesh, down_to_nothing(), monitor, givens);
   plan_seconds_ = watch.lap();
   pieces_ = pieces_of(mesh);
+  held_in_refit_ = held_in_refit(mesh, givens);
   for (const Collapse& collapse : plan_.collapses) least_ -= collapse.faces;
 }
 
-Result Progression::at(std::size_t faces) const {
+Result Progression::at(std::size_t faces, bool with_refit) const {
   Stopwatch watch;
   Result result;
   result.attainable = attainable(mesh_, pieces_, {}, flags_, kLocked | kFeature, {faces, 0});
@@ -40,6 +41,11 @@ Result Progression::at(std::size_t faces) const {
   while (n < plan_.collapses.size() && left > result.attainable.target.faces)
     left -= plan_.collapses[n++].faces;
   auto executed = execute(plan_, mesh_, n);
+  if (with_refit) {
+    RefitOptions options;
+    options.flags = held_in_refit_;
+    result.refit = refit(mesh_, executed, options);
+  }
   result.flipped_faces = count_flips(mesh_, executed.mesh, executed.face_origin);
   if (attributes_)
     result.attributes = attributes::transfer(

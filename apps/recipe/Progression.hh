@@ -25,13 +25,14 @@ class Progression {
 
   /// The finest level of at most so many faces; where that would ruin what is free, as Recipe::force says, a finer one;
   /// or the coarsest that there is.
-  Result at(std::size_t faces) const;
+  /// \param with_refit  whether its vertices move to where its faces lie closest to the input
+  Result at(std::size_t faces, bool with_refit = true) const;
 
  private:
   const IndexedMesh& mesh_;
   const attributes::Attributes* attributes_;
   attributes::SeamKinds seams_;
-  std::vector<std::uint8_t> flags_;
+  std::vector<std::uint8_t> flags_, held_in_refit_;
   Pieces pieces_;
   CollapsePlan plan_;
   std::size_t least_;

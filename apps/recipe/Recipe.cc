@@ -123,10 +123,7 @@ bool keeps_bound(const IndexedMesh& input, const IndexedMesh& mesh, std::optiona
 /// Refits the result, unless that breaks the bound.
 void refit_result(const Task& task, std::optional<double> bound, Result& result) {
   RefitOptions options;
-  options.flags = task.extras.flags;
-  options.flags.resize(task.mesh.points.size(), 0);
-  for (std::size_t v = 0; v < task.extras.tolerance.size(); ++v)
-    if (task.extras.tolerance[v] == 0) options.flags[v] |= kLocked;
+  options.flags = detail::refit_flags(task.mesh, task.extras);
   IndexedMesh mesh = result.mesh;
   const RefitReport report = refit(task.mesh, mesh, result.vertex_map, result.face_origin, options);
   result.refit_dropped = !keeps_bound(task.mesh, mesh, bound, result);
@@ -245,9 +242,24 @@ void check(const Recipe& recipe) {
     throw RecipeError("the angle of the Delaunay retriangulation must lie between 0 and 180 degrees");
   for (const Spec& spec : recipe.modules)
     if (const std::string& bound = find_module(spec.name).bound;
-        recipe.refit && !bound.empty() && spec.has(bound))
+        recipe.refit.value_or(false) && !bound.empty() && spec.has(bound))
       throw RecipeError("a refit does not keep the bound '" + bound + "' of module '" + spec.name +
                         "'; --max-distance bounds the whole run, and the refit with it");
+}
+
+bool wants_refit(const Recipe& recipe) {
+  if (recipe.refit) return *recipe.refit;
+  const Stage last = stages_of(recipe).back();
+  const Module& module = find_module(last.module.name);
+  return module.refits && !recipe.max_distance && (module.bound.empty() || !last.module.has(module.bound));
+}
+
+std::vector<std::uint8_t> held_in_refit(const IndexedMesh& mesh, const Givens& givens) {
+  SurfaceExtras held;
+  held.flags = givens.flags;
+  held.tolerance = givens.tolerance;
+  if (givens.attributes) held.wedges = attributes::seam_wedges(*givens.attributes, givens.seams);
+  return detail::refit_flags(mesh, held);
 }
 
 Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
@@ -261,7 +273,7 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor
   result.held = held.all;
   result.held_on_seams = held.on_seams;
   result.attainable = pieces.attainable;
-  if (recipe.refit) refit_result(task, bound, result);
+  if (wants_refit(recipe)) refit_result(task, bound, result);
   count_charts(task, result);
   result.flipped_faces = count_flips(mesh, result.mesh, result.face_origin);
   if (givens.attributes)

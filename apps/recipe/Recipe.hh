@@ -86,8 +86,9 @@ struct Recipe {
   /// Retriangulate the result by Delaunay flips of edges no sharper than so many degrees, 0..180 (Paper 1,
   /// the end of every algorithm). Without a value: leave it.
   std::optional<double> delaunay;
-  /// Move the vertices of the result to where its faces lie closest to the input; before a retriangulation.
-  bool refit = false;
+  /// Move the vertices of the result to where its faces lie closest to the input; before a retriangulation. Without a
+  /// value: where the last module is mq and nothing bounds the distance.
+  std::optional<bool> refit;
 };
 
 /// What one stage did.
@@ -121,7 +122,7 @@ struct Result : Decimated {
                           ///< what is free
   bool stopped_by_bound = false;         ///< going on would have broken the bound
   bool retriangulation_dropped = false;  ///< it would have broken the bound
-  RefitReport refit;                     ///< if there was one
+  std::optional<RefitReport> refit;      ///< if there was one
   bool refit_dropped = false;            ///< it would have broken the bound
   DelaunayFlipsReport delaunay;          ///< of the retriangulation, if there was one
   std::size_t flipped_faces = 0;  ///< faces turned by more than 90 degrees against their own original normal,
@@ -156,6 +157,12 @@ class Cancelled : public std::exception {
  public:
   const char* what() const noexcept override { return "cancelled"; }
 };
+
+/// Whether a recipe's result is refitted.
+bool wants_refit(const Recipe& recipe);
+
+/// What a refit holds: what the givens hold, and the seams of their attributes.
+std::vector<std::uint8_t> held_in_refit(const IndexedMesh& mesh, const Givens& givens);
 
 /// Finds what `run` would object to, without a mesh.
 /// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a module, neither

@@ -256,6 +256,7 @@ Module mq() {
       guard_key(MemorylessQuadric().guard.min_cos),
       passes_key()};
   module.cheapest_first = true;
+  module.refits = true;
   module.moves_seams = true;
   module.plans_to_target = true;
   module.bound = "max-distance";

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "whittle/plan/CollapsePlan.hh"
 #include "whittle/plan/execute.hh"
 #include "whittle/plan/plan_mesh.hh"
+#include "whittle/refit/refit.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
 
@@ -21,7 +23,10 @@ struct BulkOptions {
   /// Stop as soon as no more faces are left; of the last pass only as many collapses are executed as it
   /// takes.
   std::size_t min_faces = 0;
-  /// For the parts that allow it: the rings. 0: as many as the machine runs at once. The result is the same
+  /// Whether the vertices move at the end to where the faces fit the input best; see `refit`. Without a value: as the
+  /// planner has it, that is with MemorylessQuadric unless it keeps a bound.
+  std::optional<bool> refit;
+  /// For the parts that allow it. 0: as many as the machine runs at once. The result is the same
   /// for any number.
   std::size_t threads = 0;
   SurfaceExtras extras;  ///< locks, tolerances
@@ -32,6 +37,7 @@ template <typename Real>
 struct BulkResultT : ExecutedT<Real> {
   PlanRecord record;
   std::size_t collapses = 0, passes = 0;
+  RefitReport refit;
 };
 
 /// Plans on a mesh and carries the plan out. The draft has tested every collapse for the link condition, so
@@ -46,6 +52,9 @@ BulkResultT<Real> bulk(const Planner& planner, const IndexedMeshT<Real>& mesh, B
     throw NotReady(
         "bulk: nothing says where to stop: give the planner a target or a bound, or set min_faces");
   if (options.passes == 0) throw InvalidParameter("the number of passes must be at least 1");
+  const bool with_refit = detail::wants_refit(planner, options.refit);
+  SurfaceExtras held;
+  if (with_refit) held = detail::held_part(options.extras);
   // A planner that needs no surface goes as far as it can in one pass.
   const std::size_t passes = detail::plans_without_surface<Planner, Real>::value ? 1 : options.passes;
   const RepeatedPlan repeated =
@@ -61,6 +70,7 @@ BulkResultT<Real> bulk(const Planner& planner, const IndexedMeshT<Real>& mesh, B
   static_cast<ExecutedT<Real>&>(out) = execute(repeated.plan, mesh, out.collapses);
   out.record = repeated.plan.record;
   out.passes = repeated.passes;
+  if (with_refit) out.refit = detail::refit_held(mesh, out, held, options.threads);
   return out;
 }
 

@@ -20,6 +20,7 @@
 #include "whittle/plan/plan_mesh.hh"
 #include "whittle/planners/MemorylessQuadric.hh"
 #include "whittle/planners/PieceChoice.hh"
+#include "whittle/refit/refit.hh"
 
 namespace whittle {
 
@@ -66,6 +67,7 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   module.set_options(options, target);
   module.set_tolerance(options.tolerance);
   module.set_passes(detail::passes_of<Planner>(options, target));
+  module.set_refit(detail::wants_refit(ready, options.refit));
   module.set_threads(options.threads);
   decimater.initialize();
   if (target.any())
@@ -76,6 +78,7 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   report.faces = decimater.report().faces;
   report.vertices = decimater.report().vertices;
   report.record = module.plan().record;
+  report.refit = module.refit_report();
   module.remove_pieces(report);
   module.count(detail::moves_seams(ready), report);
   detail::conclude(target, report);
@@ -141,11 +144,14 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   detail::add_locks(mesh, options, extras.flags);
   const std::vector<std::uint8_t> flags = extras.flags;
   extras = detail::checked(mesh, std::move(extras));
+  const bool with_refit = detail::wants_refit(ready, options.refit);
+  SurfaceExtras held;
   const detail::SeamRecord seams(mesh, extras.wedges);
   const std::vector<ChartSize> kept =
       detail::keeps_charts(ready) ? chart_sizes(seams.charts, mesh.triangles) : std::vector<ChartSize>();
   const detail::PieceChoice pieces = detail::choose_pieces(ready, mesh, extras, seams, kept, options, target);
   const TargetCount way = pieces.target_with_pieces();
+  if (with_refit) held = detail::held_part(extras);
   const auto enough = [&](const auto& stages) { return way.is_met(stages.n_faces(), stages.n_vertices()); };
   const CollapsePlan plan =
       detail::plan_mesh(detail::with_target(ready, way), mesh, std::move(extras),
@@ -159,6 +165,7 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
     --out.vertices;
   }
   ExecutedT<Real> executed = execute(plan, mesh, n);
+  if (with_refit) out.refit = detail::refit_held(mesh, executed, held, options.threads);
   out.record = plan.record;
   out.mesh = std::move(executed.mesh);
   out.vertex_map = std::move(executed.vertex_map);

@@ -1,5 +1,6 @@
 #include "whittle/refit.hh"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -49,7 +50,9 @@ ExecutedT<double> simplified_wheel(const IndexedMesh& wheel, const Eigen::Vector
 
 template <typename Planner>
 ExecutedT<double> decimated(const IndexedMesh& mesh, const Planner& planner) {
-  return bulk(planner, mesh);
+  BulkOptions options;
+  options.refit = false;
+  return bulk(planner, mesh, options);
 }
 
 MemorylessQuadric to_faces(std::size_t faces) {
@@ -196,4 +199,75 @@ TEST_CASE("a refit refuses maps and flags of another mesh, and no rounds") {
   options = {};
   options.flags.assign(5, 0);
   refused([](auto&) {}, options);
+}
+
+TEST_CASE("what mq makes of arrays is refitted unless told otherwise, or where it keeps a bound") {
+  const IndexedMesh torus = meshes::shaken(meshes::torus(48, 24), 0.002, 3);
+  ExecutedT<double> by_hand = decimated(torus, to_faces(600));
+  const std::vector<Eigen::Vector3d> plain = by_hand.mesh.points;
+  const RefitReport report = refit(torus, by_hand);
+  REQUIRE(report.moved > 0);
+  const auto by_default = bulk(to_faces(600), torus);
+  CHECK(by_default.mesh.points == by_hand.mesh.points);
+  CHECK(by_default.refit.moved == report.moved);
+
+  MemorylessQuadric bounded = to_faces(600);
+  bounded.max_distance = 1;
+  CHECK(bulk(bounded, torus).mesh.points == plain);
+  BulkOptions asked;
+  asked.refit = true;
+  CHECK_THROWS_AS(bulk(bounded, torus, asked), InvalidParameter);
+
+  VertexDistance ivdd;
+  ivdd.max_distance = 0.08;
+  CHECK(bulk(ivdd, torus).refit.moved == 0);
+  CHECK(bulk(ivdd, torus, asked).refit.moved > 0);
+}
+
+TEST_CASE("arrays that are refitted keep what a tolerance of 0 or a seam holds") {
+  const IndexedMesh torus = meshes::shaken(meshes::torus(32, 16), 0.002, 3);
+  SurfaceExtras extras;
+  extras.tolerance.assign(torus.points.size(), 1);
+  for (std::size_t v = 0; v < torus.points.size(); v += 5) extras.tolerance[v] = 0;
+  extras.wedges = torus.triangles;  // a seam around faces 0..31
+  for (std::size_t f = 0; f < 32; ++f)
+    for (std::uint32_t& wedge : extras.wedges[f]) wedge += static_cast<std::uint32_t>(torus.points.size());
+  BulkOptions options;
+  options.extras = extras;
+  options.refit = false;
+  const auto plain = bulk(to_faces(500), torus, options);
+  options.refit = true;
+  const auto fitted = bulk(to_faces(500), torus, options);
+  REQUIRE(fitted.refit.moved > 0);
+  REQUIRE(fitted.vertex_map == plain.vertex_map);
+  const std::vector<bool> on_seam = on_seams(torus.triangles, extras.wedges, torus.points.size());
+  REQUIRE(std::count(on_seam.begin(), on_seam.end(), true) > 10);
+  for (std::size_t v = 0; v < torus.points.size(); ++v) {
+    const std::uint32_t now = plain.vertex_map[v];
+    if (extras.tolerance[v] == 0 || on_seam[v]) CHECK(fitted.mesh.points[now] == plain.mesh.points[now]);
+  }
+}
+
+TEST_CASE("the steps of a refit's rounds become shorter, and their mean reciprocal is the same") {
+  for (const std::size_t rounds : {1u, 2u, 5u}) {
+    double sum = 0;
+    for (std::size_t round = 0; round < rounds; ++round) {
+      const double step = refitting::step(round, rounds);
+      CHECK(step > 1 / (0.644 + 0.268));
+      CHECK(step < 1 / (0.644 - 0.268));
+      if (round > 0) CHECK(step < refitting::step(round - 1, rounds));
+      sum += 1 / step;
+    }
+    CHECK(sum / static_cast<double>(rounds) == Approx(0.644));
+  }
+}
+
+TEST_CASE("a refit leaves what fits to rounding where it is, to the bit") {
+  const IndexedMesh torus = meshes::torus(24, 12);
+  ExecutedT<double> same;
+  same.mesh = torus;
+  for (std::uint32_t v = 0; v < torus.points.size(); ++v) same.vertex_map.push_back(v);
+  for (std::uint32_t f = 0; f < torus.triangles.size(); ++f) same.face_origin.push_back(f);
+  CHECK(refit(torus, same).moved == 0);
+  CHECK(same.mesh.points == torus.points);
 }

@@ -42,7 +42,7 @@ Recipe first_recipe() {
 
 bool has_levels(const recipe::Recipe& recipe) {
   return recipe.modules.size() == 1 && recipe.modules[0].text() == recipe::default_module().text() &&
-         recipe.target.ratio && !recipe.max_distance && !recipe.delaunay && !recipe.refit &&
+         recipe.target.ratio && !recipe.max_distance && !recipe.delaunay && recipe.refit.value_or(true) &&
          recipe.driver == recipe::Driver::automatic;
 }
 

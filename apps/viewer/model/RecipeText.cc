@@ -49,7 +49,7 @@ void set_option(Recipe& recipe, const std::string& option, const std::string& va
   else if (!is_about_output(option))
     throw RecipeError("unknown option '" + option +
                       "'; there are --module, --ratio, --faces, --vertices, --max-distance, --delaunay, "
-                      "--refit and --driver");
+                      "--refit, --no-refit and --driver");
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ std::string options_text(const Recipe& recipe) {
   if (recipe.max_distance) add("--max-distance", recipe.max_distance->text());
   if (recipe.delaunay) add("--delaunay", text::shortest(*recipe.delaunay));
   if (recipe.driver != recipe::Driver::automatic) add("--driver", recipe::to_string(recipe.driver));
-  if (recipe.refit) text += " --refit";
+  if (recipe.refit) text += *recipe.refit ? " --refit" : " --no-refit";
   return text;
 }
 
@@ -102,8 +102,8 @@ Recipe parse_options(const std::string& text) {
       continue;
     }
     if (word == "--quiet" || word == "--ascii") continue;
-    if (word == "--refit") {
-      recipe.refit = true;
+    if (word == "--refit" || word == "--no-refit") {
+      recipe.refit = word == "--refit";
       continue;
     }
     const std::size_t equals = word.find('=');

@@ -20,6 +20,7 @@
 #include "whittle/plan/attainable.hh"
 #include "whittle/plan/locks.hh"
 #include "whittle/planners/PieceChoice.hh"
+#include "whittle/refit/refit.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
 #include "whittle/surface/charts.hh"
@@ -66,6 +67,10 @@ struct DecimateOptions {
   /// share. Otherwise the target is missed, and the rest keeps its share: see `attainable`.
   bool force = false;
 
+  /// Whether the vertices move at the end to where the faces fit the input best; see `refit`. Without a value: as the planner
+  /// has it, that is with MemorylessQuadric unless there is a bound.
+  std::optional<bool> refit;
+
   std::size_t passes = 0;   ///< how often the planner runs at most; 0: once, or as often as the target needs
   std::size_t threads = 0;  ///< 0: as many as the machine runs at once; the result is the same for any number
 };
@@ -82,6 +87,7 @@ struct DecimateReport {
   std::size_t charts = 0;       ///< of the input, what its seams enclose; 0 where it has no seams
   std::size_t charts_gone = 0;  ///< of these, how many have no face left
   std::size_t pieces_gone = 0;  ///< that have vanished as a whole
+  RefitReport refit;            ///< vertices moved at the end
   Attainable attainable;        ///< the target that was gone to, and the pieces that stay
   PlanRecord record;            ///< merges planned, and refused by flip guard, link condition and bound
   /// For each vertex of the input, by its index there, the vertex of the result that it became; kNoVertex if none.

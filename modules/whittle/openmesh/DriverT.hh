@@ -179,6 +179,7 @@ class DriverT : public OpenMesh::Decimater::BaseDecimaterT<MeshT> {
     for (int f = 0; f < static_cast<int>(mesh_.n_faces()); ++f)
       faces_ += !mesh_.status(typename Mesh::FaceHandle(f)).deleted();
     run(only_selected);
+    if (planned()) planned()->finish(only_selected);
     report_.collapses = collapses_;
     report_.faces = faces_;
     report_.vertices = vertices_;

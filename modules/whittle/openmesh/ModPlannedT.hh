@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "whittle/openmesh/SnapshotT.hh"
 #include "whittle/openmesh/attributes.hh"
 #include "whittle/openmesh/points_in_space.hh"
+#include "whittle/openmesh/refit_mesh.hh"
 #include "whittle/plan/CollapsePlan.hh"
 #include "whittle/plan/plan_mesh.hh"
 
@@ -83,6 +85,14 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   /// The default 0 means as many as the machine runs at once.
   void set_threads(std::size_t threads) { threads_ = threads; }
 
+  /// Whether the vertices move at the end of a run to where the mesh's faces fit best what they were at `initialize()`; see
+  /// `refit`. Without a value, the default: as the planner has it, that is with mq unless it keeps a bound. Whittle's
+  /// drivers do it after the last collapse; with OpenMesh's own call `finish()`.
+  void set_refit(std::optional<bool> refit) {
+    wants_refit_ = refit;
+    forget();
+  }
+
   // What planners have in common is set by the same names; a planner without the parameter has no such setter.
 
   /// Least cosine between a face's new and original normal. -1..1, default 0.2; -1 turns the flip guard off.
@@ -140,6 +150,13 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
         extras.tolerance[static_cast<std::size_t>(v.idx())] = mesh.property(tolerance_, v);
     }
     describe(mesh, snapshot.indexed(), extras);
+    held_ = extras.flags;
+    for (std::size_t v = 0; v < held_.size(); ++v) {
+      if (!extras.tolerance.empty() && extras.tolerance[v] == 0) held_[v] |= kLocked;
+      if (!attributes_.seams().empty() &&
+          attributes_.seams().is_on_seam(vertex(static_cast<std::uint32_t>(v))))
+        held_[v] |= kSeam;
+    }
     const auto enough = [&](const auto& stages) {
       return stages.n_faces() <= enough_faces_ ||
              stages.n_vertices() <= enough_vertices_ + snapshot.n_deleted();
@@ -151,7 +168,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
         detail::plan_mesh(planner, snapshot.indexed(), std::move(extras), passes_, threads_, enough).plan,
         mesh.n_vertices()};
     n_planned_vertices_ = mesh.n_vertices();
-    snapshot.drop_points();
+    if (!detail::wants_refit(planner_, wants_refit_)) snapshot.drop_points();
     snapshot_ = std::move(snapshot);
   }
 
@@ -185,13 +202,29 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   void after_collapses(std::size_t n) override {
     if (!watches_collapses())
       for (std::size_t rank = 0; rank < n; ++rank) settle(rank);
-    attributes_.sample_all(this->mesh());
-    if (!this->mesh().has_face_normals()) return;
-    std::vector<bool> is_survivor(this->mesh().n_vertices(), false);
-    for (std::size_t rank = 0; rank < n; ++rank) is_survivor[execution_.collapse(rank).to] = true;
-    for (std::uint32_t v = 0; v < is_survivor.size(); ++v)
-      if (is_survivor[v] && !this->mesh().status(vertex(v)).deleted()) refresh_normals(vertex(v));
+    n_unsampled_ = n;
   }
+
+  /// After the last collapse, and before garbage collection: refits the mesh, if that is wanted. Whittle's drivers call it.
+  void finish(bool only_selected = false) override {
+    std::vector<bool> has_changed(this->mesh().n_vertices(), false);
+    refit_report_ = {};
+    if (n_planned_vertices_ == this->mesh().n_vertices() && detail::wants_refit(planner_, wants_refit_))
+      refit_report_ = detail::refit_mesh(this->mesh(), snapshot_.indexed(), execution_.vertex_map(),
+                                         refit_options(only_selected), [&](typename MeshT::VertexHandle v) {
+                                           attributes_.move(v);
+                                           has_changed[static_cast<std::size_t>(v.idx())] = true;
+                                         });
+    for (std::size_t rank = 0; rank < n_unsampled_; ++rank) has_changed[execution_.collapse(rank).to] = true;
+    n_unsampled_ = 0;
+    for (std::uint32_t v = 0; v < has_changed.size(); ++v) {
+      if (!has_changed[v] || this->mesh().status(vertex(v)).deleted()) continue;
+      attributes_.sample(this->mesh(), vertex(v));
+      refresh_normals(vertex(v));
+    }
+  }
+  /// What the last `finish()` did.
+  const RefitReport& refit_report() const { return refit_report_; }
 
   bool is_fresh() const override { return n_planned_vertices_ != kNoPlan && snapshot_.is_of(mesh_ref()); }
 
@@ -269,6 +302,19 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     return typename MeshT::VertexHandle(static_cast<int>(v));
   }
 
+  RefitOptions refit_options(bool only_selected) {
+    RefitOptions options;
+    options.threads = threads_;
+    options.flags = held_;
+    const auto& mesh = this->mesh();
+    for (std::size_t v = 0; v < options.flags.size(); ++v) {
+      const auto& status = mesh.status(vertex(static_cast<std::uint32_t>(v)));
+      if (status.locked() || status.feature() || (only_selected && !status.selected() && !status.deleted()))
+        options.flags[v] |= kLocked;
+    }
+    return options;
+  }
+
   /// Whether the seams are such by now that they allow a planned collapse: other modules may have forbidden some.
   bool seams_allow(typename MeshT::HalfedgeHandle h) {
     return attributes_.seams().empty() || attributes_.seams().allow_planned(this->mesh(), h);
@@ -309,11 +355,16 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
 
   Planner planner_;
   std::size_t passes_ = 1, threads_ = 0;
+  std::optional<bool> wants_refit_;
   std::size_t enough_faces_ = 0, enough_vertices_ = 0;
   OpenMesh::VPropHandleT<float> tolerance_;
   Execution execution_;
   detail::SnapshotT<MeshT> snapshot_;  // of the mesh when the plan was made
   detail::SurvivorAttributesT<MeshT> attributes_;
+  std::vector<std::uint8_t> held_;  // what stays in a refit
+  RefitReport refit_report_;
+  std::size_t n_unsampled_ =
+      0;  // the first collapses of the plan whose survivors have yet to take their values
   bool holds_survivor_ = false;  // a seam does, in the collapse that is under way
   std::size_t n_planned_vertices_ = kNoPlan;
 };

@@ -32,6 +32,10 @@ class PlannedModule {
   virtual void after_collapse(std::size_t rank) = 0;
   /// At the end, whether it watches them or not: the first so many collapses have been executed.
   virtual void after_collapses(std::size_t n) = 0;
+
+  /// After the last collapse of a run, of any driver.
+  /// \param only_selected  vertices that are not selected stay where they are
+  virtual void finish(bool only_selected) = 0;
 };
 
 }  // namespace whittle

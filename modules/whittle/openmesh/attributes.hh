@@ -59,10 +59,12 @@ class SurvivorAttributesT {
   void before(Mesh& mesh, HalfedgeHandle v0v1);
   /// After it, and after `v1` has been moved if it is to be.
   void merge(const Mesh& mesh, VertexHandle v0, VertexHandle v1, bool moved);
-  /// A vertex that another has merged into takes its values.
+  /// After a vertex has been moved otherwise.
+  void move(VertexHandle v) {
+    if (!empty()) has_moved_[index(v)] = 1;
+  }
+  /// A vertex that has moved or that another has merged into takes its values.
   void sample(Mesh& mesh, VertexHandle v);
-  /// Every such vertex does.
-  void sample_all(Mesh& mesh);
 
  private:
   static std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
@@ -215,14 +217,6 @@ void SurvivorAttributesT<Mesh>::merge(const Mesh& mesh, VertexHandle v0, VertexH
   if (seams_.empty()) return;
   on_seam_[index(v1)] |= on_seam_[index(v0)];
   if (on_seam_[index(v1)] != 0) seam_corners_->note(mesh, seams_, v1);
-}
-
-template <typename Mesh>
-void SurvivorAttributesT<Mesh>::sample_all(Mesh& mesh) {
-  for (std::uint32_t i = 0; i < next_.size(); ++i) {
-    const VertexHandle v(static_cast<int>(i));
-    if (next_[i] != i && !mesh.status(v).deleted()) sample(mesh, v);
-  }
 }
 
 template <typename Mesh>

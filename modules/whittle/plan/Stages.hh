@@ -2,9 +2,11 @@
 /// Planners one after the other, each on the surface that those before it leave, in one plan.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "whittle/plan/execute.hh"
 #include "whittle/plan/merged_wedges.hh"
 #include "whittle/surface/Surface.hh"
+#include "whittle/surface/errors.hh"
 
 namespace whittle {
 
@@ -144,6 +147,21 @@ bool moves_seams(const Planner& planner) {
   return MovesSeams<Planner>::by(planner);
 }
 
+template <typename Planner, typename = void>
+struct Refits {
+  static bool by(const Planner&) { return false; }
+};
+template <typename Planner>
+struct Refits<Planner, std::void_t<decltype(std::declval<const Planner&>().refits())>> {
+  static bool by(const Planner& planner) { return planner.refits(); }
+};
+
+/// Whether what a planner makes of a mesh is refitted to it unless told otherwise: one that says so by `refits()`.
+template <typename Planner>
+bool refits(const Planner& planner) {
+  return Refits<Planner>::by(planner);
+}
+
 /// Whether a planner goes to a target of its own, as MemorylessQuadric.
 template <typename Planner, typename = void>
 struct takes_target : std::false_type {};
@@ -158,6 +176,16 @@ bool is_own_target_met(const Planner& planner, std::size_t n_faces, std::size_t 
     if (const TargetCount target{planner.target_faces, planner.target_vertices}; target.any())
       return target.is_met(n_faces, n_vertices);
   return true;
+}
+
+/// Whether the result is refitted, as was asked for, or as the planner has it where nothing was.
+/// \throw InvalidParameter  the planner keeps a bound, which a refit does not
+template <typename Planner>
+bool wants_refit(const Planner& planner, std::optional<bool> asked) {
+  if constexpr (takes_target<Planner>::value)
+    if (asked.value_or(false) && planner.max_distance < HUGE_VAL)
+      throw InvalidParameter("a refit does not keep max_distance: leave one of them out");
+  return asked.value_or(refits(planner));
 }
 
 /// How often a planner runs where a target asks for more than one pass: enough for any threshold to come to rest.

@@ -61,6 +61,9 @@ struct MemorylessQuadric {
   /// Seams move, where the extras have wedges.
   bool moves_seams() const { return true; }
 
+  /// The executors refit what comes of the plan to the input (`refit`), as far as there is no bound.
+  bool refits() const { return !(max_distance < HUGE_VAL); }
+
   /// With the bound times a factor; there is no other threshold.
   MemorylessQuadric scaled(double factor) const {
     MemorylessQuadric planner = *this;

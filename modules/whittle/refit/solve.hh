@@ -108,9 +108,9 @@ inline float step(std::size_t round, std::size_t rounds) {
 }
 
 /// Where a vertex has the least error if its neighbours move alike, or further by a factor; from its place at most a fifth
-/// of its shortest edge away.
+/// of its shortest edge away. What is less than a hundred thousandth of that is rounding.
 inline Vec moved(const Fitted& fitted, std::uint32_t v, const Sum& sum, float factor) {
-  constexpr float kPull = 1e-3f, kFarthest = 0.2f;
+  constexpr float kPull = 1e-3f, kFarthest = 0.2f, kLeast = 1e-5f;
   const Vec& here = fitted.points[v];
   mq::SymmetricMatrix matrix{sum(0, 0), sum(1, 0), sum(2, 0), sum(1, 1), sum(2, 1), sum(2, 2)};
   const float trace = matrix.trace();
@@ -124,7 +124,8 @@ inline Vec moved(const Fitted& fitted, std::uint32_t v, const Sum& sum, float fa
   for (const std::uint32_t* c = begin; c != end; ++c)
     shortest =
         std::min(shortest, (fitted.points[fitted.triangles[*c / 3][(*c + 1) % 3]] - here).squaredNorm());
-  const float length = move.norm(), farthest = kFarthest * std::sqrt(shortest);
+  const float length = move.norm(), edge = std::sqrt(shortest), farthest = kFarthest * edge;
+  if (!(length > kLeast * edge)) return here;
   return here + (length > farthest ? Vec(move * (farthest / length)) : move);
 }
 
