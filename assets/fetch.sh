@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fetches test models into assets/cache/: fetch.sh [bunny|suzanne|dragon|armadillo|fandisk|all], default bunny.
+# Fetches test models into assets/cache/: fetch.sh [bunny|suzanne|dragon|armadillo|fandisk|cgal|all], default bunny.
 # README.md beside this script says where each comes from and under which conditions.
 set -euo pipefail
 export LC_ALL=C
@@ -115,24 +115,66 @@ fetch_dragon() {
   mv "$work/dragon.ply" "$cache/dragon.ply"
 }
 
-# Counts from the header of an OFF file.
-off_counts() { [[ -f $1 ]] && [[ $(sed -n 2p "$1") == "$2 $3 0" ]]; }
+# Counts from the header of an OFF file: vertices, faces; the edges may be there or 0.
+off_counts() { [[ -f $1 ]] && [[ $(sed -n 2p "$1") == "$2 $3 "* ]]; }
 
 armadillo_ok() { off_counts "$1" 26002 52000; }
 fandisk_ok() { off_counts "$1" 6475 12946; }
 
-# Both are in CGAL's data: fetch_of_cgal NAME FILE
-fetch_of_cgal() {
+# The archive of CGAL's data: downloaded once.
+cgal_data() {
+  [[ -f $work/data.tar.gz ]] && return
   know_package libcgal-demo
   echo "fetch: downloading the package libcgal-demo for $1"
   (cd "$work" && apt-get download -q -o APT::Sandbox::User=root libcgal-demo) || fail "cannot download libcgal-demo"
-  dpkg-deb --fsys-tarfile "$work"/libcgal-demo_*.deb | tar -xO ./usr/share/doc/libcgal-dev/data.tar.gz |
-    tar -xzO "data/meshes/$1" >"$work/$2"
+  dpkg-deb --fsys-tarfile "$work"/libcgal-demo_*.deb | tar -xO ./usr/share/doc/libcgal-dev/data.tar.gz >"$work/data.tar.gz"
+}
+
+# fetch_of_cgal NAME FILE
+fetch_of_cgal() {
+  cgal_data "$1"
+  tar -xzOf "$work/data.tar.gz" "data/meshes/$1" >"$work/$2"
   "${2%.off}_ok" "$work/$2" || fail "$1 of libcgal-demo has other counts than expected"
   mv "$work/$2" "$cache/$2"
 }
 fetch_armadillo() { fetch_of_cgal armadillo.off armadillo.off; }
 fetch_fandisk() { fetch_of_cgal fandisk.off fandisk.off; }
+
+# Models of CGAL's data for bench/speed/accuracy.sh: name, vertices, faces.
+cgal_models="bunny00 37706 75408
+diplodocus 23982 47960
+man 17495 34986
+mannequin-devil 12977 25888
+camel 9770 19536
+lion 7529 14859
+fandisk_large 15843 31682
+refined_elephant 44460 88928
+armadillo 26002 52000
+bear 13826 27648
+ChineseDragon-10kv 10000 19994
+blade 8231 16222
+cheese 8629 17786
+lion-head 8356 16674
+turbine 9210 18460"
+
+cgal_ok() {
+  local name vertices faces
+  while read -r name vertices faces; do
+    off_counts "$1/$name.off" "$vertices" "$faces" || return 1
+  done <<<"$cgal_models"
+}
+
+fetch_cgal() {
+  cgal_data "the models of bench/speed/accuracy.sh"
+  mkdir -p "$work/cgal"
+  local name
+  while read -r name _; do
+    tar -xzOf "$work/data.tar.gz" "data/meshes/$name.off" >"$work/cgal/$name.off"
+  done <<<"$cgal_models"
+  cgal_ok "$work/cgal" || fail "models of libcgal-demo have other counts than expected"
+  rm -rf "$cache/cgal"
+  mv "$work/cgal" "$cache/cgal"
+}
 
 fetch() {
   local model=$1 file=$2
@@ -150,15 +192,17 @@ case ${1:-bunny} in
   dragon) fetch dragon dragon.ply ;;
   armadillo) fetch armadillo armadillo.off ;;
   fandisk) fetch fandisk fandisk.off ;;
+  cgal) fetch cgal cgal ;;
   all)
     fetch bunny bunny.obj
     fetch suzanne suzanne.obj
     fetch dragon dragon.ply
     fetch armadillo armadillo.off
     fetch fandisk fandisk.off
+    fetch cgal cgal
     ;;
   *)
-    echo "usage: assets/fetch.sh [bunny|suzanne|dragon|armadillo|fandisk|all]" >&2
+    echo "usage: assets/fetch.sh [bunny|suzanne|dragon|armadillo|fandisk|cgal|all]" >&2
     exit 2
     ;;
 esac

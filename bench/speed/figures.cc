@@ -8,7 +8,7 @@ namespace whittle::speed {
 namespace {
 
 constexpr const char* kPlanned[] = {"vt", "fad", "ivdd", "ss", "vtd", "fass"};
-constexpr const char* kShares[] = {"50 %", "25 %", "10 %", "1 %"};
+constexpr const char* kShares[] = {"50 %", "25 %", "10 %", "2 %", "1 %"};
 
 /// The results of one model, found by name.
 class Results {
@@ -49,10 +49,21 @@ std::optional<double> mean_error(const Json* result) {
   return (*result).at("score").at("distance").at("mean_units").get<double>();
 }
 
-std::optional<double> rms_error(const Json* result) {
+constexpr const char *kRms = "rms_percent_of_diagonal", *kMax = "max_percent_of_diagonal";
+
+std::optional<double> error(const Json* result, const char* which) {
   if (!result || (*result).at("score").is_null() || (*result).at("score").at("distance").is_null())
     return std::nullopt;
-  return (*result).at("score").at("distance").at("rms_percent_of_diagonal").get<double>();
+  return (*result).at("score").at("distance").at(which).get<double>();
+}
+
+/// How many times the error of one contender is another's, at the same share of the faces.
+std::optional<double> error_ratio(const Results& results, const char* first, const char* second,
+                                  const char* share, const char* which) {
+  const auto a = error(results.find(long_name(first, share)), which),
+             b = error(results.find(long_name(second, share)), which);
+  if (!a || !b || !(*b > 0)) return std::nullopt;
+  return *a / *b;
 }
 
 /// A ratio for each planned module.
@@ -136,12 +147,9 @@ Figure mq_against_meshopt(const Results& results, const char* module, double goa
 /// Not of times but of errors.
 Figure mq_error_against(const Results& results, const char* peer) {
   Figure f{"RMS distance of bulk mq", peer, "", "", Figure::Bound::at_most, 1.0, {}};
-  for (const char* share : kShares) {
-    const auto ours = rms_error(results.find(long_name("bulk mq", share)));
-    if (!ours) continue;
-    const auto theirs = rms_error(results.find(long_name(peer, share)));
-    if (theirs && *theirs > 0) f.ratios.push_back({share, *ours / *theirs, ""});
-  }
+  for (const char* share : kShares)
+    if (const auto value = error_ratio(results, "bulk mq", peer, share, kRms))
+      f.ratios.push_back({share, *value, ""});
   return f;
 }
 
@@ -229,6 +237,31 @@ std::vector<Figure> figures(const Json& run) {
       keep(memory(results, "bulk", "the arrays", 2.5), results);
     }
   }
+  return all;
+}
+
+std::vector<MeanRatio> mean_ratios(const Json& suite) {
+  std::vector<MeanRatio> all;
+  for (const char* ours : {"bulk mq", "bulk mq, not refitted"})
+    for (const char* peer : {"CGAL Lindstrom-Turk", "meshopt_simplify"})
+      for (const char* share : kShares)
+        for (const char* which : {kRms, kMax}) {
+          MeanRatio mean{ours, peer, share, which == kRms ? "RMS" : "largest distance"};
+          double logarithms = 0;
+          for (const Json& model : suite.at("models")) {
+            const Results results(model);
+            const auto value = error_ratio(results, ours, peer, share, which);
+            if (!value) continue;
+            logarithms += std::log(*value);
+            ++mean.models;
+            if (*value <= mean.worst) continue;
+            mean.worst = *value;
+            mean.worst_model = results.name();
+          }
+          if (mean.models < 2) continue;
+          mean.geometric_mean = std::exp(logarithms / static_cast<double>(mean.models));
+          all.push_back(mean);
+        }
   return all;
 }
 

@@ -2,6 +2,7 @@
 /// The goals that the executors are held to, and whether they are reached.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,16 @@ struct Figure {
 /// Every goal that a run has the times for; ratios of medians of that run. Where a contender is missing, so
 /// are its ratios, and a goal without ratios.
 std::vector<Figure> figures(const Json& run);
+
+/// An error of ours against a peer's, over all models of a suite.
+struct MeanRatio {
+  std::string ours, peer, share, error;
+  double geometric_mean = 1, worst = 0;
+  std::string worst_model;
+  std::size_t models = 0;
+};
+
+/// The mean ratios of a suite, where at least two models have them.
+std::vector<MeanRatio> mean_ratios(const Json& suite);
 
 }  // namespace whittle::speed

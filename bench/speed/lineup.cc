@@ -45,10 +45,13 @@ std::vector<Entry> everybody(Suite suite, const Subject& subject) {
 /// The most accurate simplifiers, down to shares of the faces.
 std::vector<Entry> truthful(const Subject& subject) {
   std::vector<Target> shares;
-  for (const auto& [name, part] : {std::pair("50 %", 0.5), {"25 %", 0.25}, {"10 %", 0.1}, {"1 %", 0.01}})
+  for (const auto& [name, part] :
+       {std::pair("50 %", 0.5), {"25 %", 0.25}, {"10 %", 0.1}, {"2 %", 0.02}, {"1 %", 0.01}})
     shares.push_back({name, static_cast<std::size_t>(part * static_cast<double>(subject.n_faces()))});
   std::vector<Entry> entries = mq_entries(shares);
   append(entries, mq_entries(shares, 1));
+  append(entries, mq_entries(shares, 0, false));
+  append(entries, mq_entries(shares, 1, false));
   append(entries, sweep_mq_entries(shares));
   append(entries, peer_entries({peers::meshopt()}, shares));
 #ifdef WHITTLE_WITH_CGAL

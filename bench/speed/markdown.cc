@@ -78,6 +78,21 @@ void write_figures(std::ostream& out, const std::vector<Json>& runs) {
   out << "\n";
 }
 
+/// Errors of ours against each peer's over all models: of each share of the faces the geometric mean and the worst.
+void write_means(std::ostream& out, const Json& suite) {
+  const std::vector<MeanRatio> means = mean_ratios(suite);
+  if (means.empty()) return;
+  out << "## Over all models\n\nThe error in the geometric mean of so many models, in that of the peer; then "
+         "the worst.\n\n"
+      << "| ours | peer | error | of the faces | models | mean | worst | on "
+         "|\n|---|---|---|---|--:|--:|--:|---|\n";
+  for (const MeanRatio& mean : means)
+    out << "| " << mean.ours << " | " << mean.peer << " | " << mean.error << " | " << mean.share << " | "
+        << mean.models << " | " << number(mean.geometric_mean, 3) << " | " << number(mean.worst, 2) << " | "
+        << mean.worst_model << " |\n";
+  out << "\n";
+}
+
 /// "1.23 (1.20..1.31)" in milliseconds: the median and the quartiles.
 std::string milliseconds(const Json& times) {
   if (times.is_null()) return "";
@@ -183,6 +198,7 @@ std::string markdown(const std::vector<Json>& runs) {
         write_textured(out, suite);
         continue;
       }
+      write_means(out, suite);
       for (const Json& model : suite.at("models")) {
         write_model(out, run, suite, model);
         write_topology(out, model);

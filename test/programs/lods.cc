@@ -37,6 +37,24 @@ TEST_CASE("lods writes a chain of files, each half of the one before, with its e
   CHECK(files::read_mesh(in.folder / "out-lod0.ply").mesh.points.size() == in.mesh.points.size());
 }
 
+TEST_CASE("lods brings each level closer to the input by a refit, unless told otherwise") {
+  const TorusFile in;
+  const auto levels = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"lods",   in.path, "--levels", "4", "--out", in.folder / "out.ply",
+                                   "--json", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return Json::parse(whittle_program(words).out)["levels"];
+  };
+  const Json with = levels({}), without = levels({"--no-refit"});
+  REQUIRE(with.size() == 4);
+  for (std::size_t i = 1; i < 4; ++i) {
+    const auto rms = [&](const Json& all) {
+      return all[i]["distance"]["two_sided"]["rms_units"].get<double>();
+    };
+    CHECK(rms(with) < 0.95 * rms(without));
+  }
+}
+
 TEST_CASE("lods writes one GLB with all levels") {
   const TorusFile in;
   const auto done = whittle_program(

@@ -104,7 +104,8 @@ TEST_CASE("simplify can end with a Delaunay retriangulation") {
   CHECK(measure::facts(files::read_mesh(in.folder / "out.ply").mesh).closed());
 }
 
-TEST_CASE("simplify can end with a refit, which brings the result closer to the input") {
+TEST_CASE(
+    "simplify ends with a refit after mq or where asked to, which brings the result closer to the input") {
   const Input in;
   const IndexedMesh input = files::read_mesh(in.path).mesh;
   const auto rms = [&](const std::vector<std::string>& options) {
@@ -115,11 +116,15 @@ TEST_CASE("simplify can end with a refit, which brings the result closer to the 
   };
   const auto told = [&] { return Json::parse(programs::contents(in.folder / "r.json"))["refit"]; };
   for (const std::string module : {"mq", "ivdd"}) {
-    const double without = rms({"--module", module, "--ratio", "0.3"});
+    const double without = rms({"--module", module, "--ratio", "0.3", "--no-refit"});
     CHECK(told().is_null());
-    CHECK(rms({"--module", module, "--ratio", "0.3", "--refit"}) < 0.95 * without);
+    const double with = rms({"--module", module, "--ratio", "0.3", "--refit"});
+    CHECK(with < 0.95 * without);
     CHECK(told()["vertices_moved"].get<int>() > 0);
+    CHECK(rms({"--module", module, "--ratio", "0.3"}) == (module == "mq" ? with : without));
   }
+  rms({"--max-distance", "1%", "--ratio", "0.3"});
+  CHECK(told().is_null());
   CHECK(rms({"--max-distance", "1%", "--ratio", "0.3", "--refit"}) > 0);
   CHECK(told().contains("dropped_for_the_bound"));
   const auto refused =

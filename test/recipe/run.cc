@@ -290,3 +290,29 @@ TEST_CASE("recipe: the mean edge counts each edge once, on the boundary as insid
   CHECK_THROWS_AS(measure_scale(mesh), InvalidMesh);
   CHECK(measure_scale(IndexedMesh()).mean_edge == 0);
 }
+
+TEST_CASE(
+    "recipe: what mq makes is refitted unless told otherwise or bounded, what others make where asked for") {
+  const auto make = [](const std::vector<std::string>& modules) {
+    Recipe recipe;
+    for (const std::string& text : modules) recipe.modules.push_back(parse_spec(text));
+    recipe.target.ratio = 0.5;
+    return recipe;
+  };
+  CHECK(wants_refit(make({"mq"})));
+  CHECK(wants_refit(make({"ivdd:distance=0.2e", "mq"})));
+  CHECK_FALSE(wants_refit(make({"mq", "ivdd:distance=0.2e"})));
+  CHECK_FALSE(wants_refit(make({"mq:max-distance=1%"})));
+  CHECK_FALSE(wants_refit(make({"quadric"})));
+  Recipe recipe = make({"mq"});
+  recipe.max_distance = parse_length("1%");
+  CHECK_FALSE(wants_refit(recipe));
+  recipe.refit = true;
+  CHECK(wants_refit(recipe));
+  recipe = make({"mq"});
+  recipe.refit = false;
+  CHECK_FALSE(wants_refit(recipe));
+  recipe = make({"mq:max-distance=1%"});
+  recipe.refit = true;
+  CHECK_THROWS_AS(check(recipe), RecipeError);
+}

@@ -15,6 +15,8 @@ TEST_CASE("a recipe is written as options and read back") {
   CHECK(options_text(parse_options(text)) == text);
   CHECK(options_text(parse_options("--module vt --faces 100")) == "--module vt --faces 100");
   CHECK(options_text(parse_options("--module vt --vertices 7")) == "--module vt --vertices 7");
+  for (const std::string more : {"", " --refit", " --no-refit"})
+    CHECK(options_text(parse_options("--module mq --ratio 0.5" + more)) == "--module mq --ratio 0.5" + more);
 }
 
 TEST_CASE("bare specifications, comments and whole commands are understood") {

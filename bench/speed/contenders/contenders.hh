@@ -20,7 +20,8 @@ inline constexpr double kDistanceInEdges = 0.75, kRadiusInEdges = 0.82;
 std::vector<Entry> bulk_entries(const Subject& subject);
 /// mq on arrays.
 /// \param threads  0: as many as there are; else the name says how many
-std::vector<Entry> mq_entries(const std::vector<Target>& targets, std::size_t threads = 0);
+/// \param refit    whether the result is refitted, as it is by default; else the name says that it is not
+std::vector<Entry> mq_entries(const std::vector<Target>& targets, std::size_t threads = 0, bool refit = true);
 /// Planned modules in the sweep.
 std::vector<Entry> sweep_entries(const Subject& subject);
 /// mq as a module in the sweep, to a number of faces.

@@ -12,8 +12,9 @@ namespace {
 /// mq needs no surface, and so has no phases.
 class MqContender : public Contender {
  public:
-  MqContender(const MemorylessQuadric& planner, std::size_t threads) : planner_(planner) {
+  MqContender(const MemorylessQuadric& planner, std::size_t threads, bool refit) : planner_(planner) {
     options_.threads = threads;
+    options_.refit = refit;
   }
 
   void load(const Subject& subject) override { arrays_ = &subject.arrays; }
@@ -29,18 +30,20 @@ class MqContender : public Contender {
 
 }  // namespace
 
-std::vector<Entry> mq_entries(const std::vector<Target>& targets, std::size_t threads) {
+std::vector<Entry> mq_entries(const std::vector<Target>& targets, std::size_t threads, bool refit) {
   std::vector<Entry> entries;
   for (const Target& target : targets) {
     MemorylessQuadric mq;
     mq.target_faces = target.faces;
     Entry& e = entries.emplace_back();
     e.method = "bulk";
-    e.module = threads == 0 ? "mq" : "mq, threads: " + std::to_string(threads);
+    e.module = "mq";
+    if (!refit) e.module += ", not refitted";
+    if (threads > 0) e.module += ", threads: " + std::to_string(threads);
     e.in_place = true;
     e.target = target.name;
     e.target_faces = target.faces;
-    e.make = [mq, threads] { return std::make_unique<MqContender>(mq, threads); };
+    e.make = [mq, threads, refit] { return std::make_unique<MqContender>(mq, threads, refit); };
   }
   return entries;
 }
