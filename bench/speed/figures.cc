@@ -246,7 +246,7 @@ std::vector<MeanRatio> mean_ratios(const Json& suite) {
     for (const char* peer : {"CGAL Lindstrom-Turk", "meshopt_simplify"})
       for (const char* share : kShares)
         for (const char* which : {kRms, kMax}) {
-          MeanRatio mean{ours, peer, share, which == kRms ? "RMS" : "largest distance"};
+          MeanRatio mean{ours, peer, share, which == kRms ? "RMS" : "largest distance", 1, 0, "", 0};
           double logarithms = 0;
           for (const Json& model : suite.at("models")) {
             const Results results(model);

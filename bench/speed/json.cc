@@ -103,6 +103,7 @@ Json suite_json(const Settings& settings, const std::vector<ModelResults>& model
                     {"mean_edge_units", subject.mean_edge},
                     {"array_bytes", subject.array_bytes()},
                     {"checksum", hexadecimal(subject.checksum)},
+                    {"smooth_limit_percent_of_diagonal", model.smooth_limit},
                     {"input", model.input ? score_json(*model.input) : Json(nullptr)},
                     {"results", results}});
   }

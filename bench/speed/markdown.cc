@@ -104,18 +104,22 @@ std::string median_milliseconds(const Json& times) {
   return times.is_null() ? "" : short_number(1000 * times.at("median").get<double>());
 }
 
-void write_score(std::ostream& out, const Json& score) {
+/// \param limit  the least RMS distance times faces, in percent of the diagonal
+void write_score(std::ostream& out, const Json& score, double limit) {
   if (score.is_null()) {
-    out << " | | | | | |";
+    out << " | | | | | | |";
     return;
   }
   out << " " << score.at("faces") << " |";
   const Json& distance = score.at("distance");
   if (distance.is_null())
-    out << " | | | |";
+    out << " | | | | |";
   else
     out << " " << number(distance.at("rms_percent_of_diagonal"), 4) << " | "
-        << number(distance.at("mean_percent_of_diagonal"), 4) << " | "
+        << (limit > 0 ? short_number(distance.at("rms_percent_of_diagonal").get<double>() *
+                                     score.at("faces").get<double>() / limit)
+                      : "")
+        << " | " << number(distance.at("mean_percent_of_diagonal"), 4) << " | "
         << number(distance.at("max_percent_of_diagonal"), 3) << " | " << distance.at("flipped_faces") << " |";
   out << " " << score.at("nonmanifold_edges") << " |";
 }
@@ -126,15 +130,18 @@ void write_model(std::ostream& out, const Json& run, const Json& suite, const Js
       << model.at("faces") << " triangles";
   if (model.at("faces_refused_by_openmesh") != 0)
     out << ", of which OpenMesh does not take " << model.at("faces_refused_by_openmesh");
-  out << ". Times in milliseconds, median (quartiles); distances in percent of the diagonal, two-sided.\n\n"
-      << "| contender | decimation, ms | load | unload | faces | RMS | mean | max | flipped | non-manifold "
+  out << ". Times in milliseconds, median (quartiles); distances in percent of the diagonal, two-sided. "
+         "RMS / limit: in how many times the least that so many triangles can have, were the model "
+         "smooth.\n\n"
+      << "| contender | decimation, ms | load | unload | faces | RMS | RMS / limit | mean | max | flipped | "
+         "non-manifold "
          "edges "
-         "| peak / loaded memory |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+         "| peak / loaded memory |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Json& result : model.at("results")) {
     out << "| " << text(result.at("name")) << " | " << milliseconds(result.at("seconds")) << " | "
         << median_milliseconds(result.at("load_seconds")) << " | "
         << median_milliseconds(result.at("unload_seconds")) << " |";
-    write_score(out, result.at("score"));
+    write_score(out, result.at("score"), model.value("smooth_limit_percent_of_diagonal", 0.0));
     const Json& memory = result.at("memory");
     const double loaded = memory.is_null() ? 0 : memory.at("loaded_bytes").get<double>();
     out << " " << (loaded > 0 ? short_number(memory.at("peak_bytes").get<double>() / loaded) : "") << " |\n";

@@ -6,6 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "measure/MeshFacts.hh"
+#include "measure/smooth_limit.hh"
+#include "peers/precision.hh"
 #include "recipe/Stopwatch.hh"
 #include "speed/memory.hh"
 
@@ -84,6 +87,9 @@ std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector
     progress.say(subject.name + ": planning");
     ModelResults& model = models.emplace_back();
     model.subject = &subject;
+    const IndexedMesh mesh = peers::in_double(subject.arrays);
+    if (const double diagonal = measure::facts(mesh).diagonal; diagonal > 0)
+      model.smooth_limit = 100 * measure::smooth_limit(mesh) / diagonal;
     for (Entry& entry : lineup(settings.suite, subject, settings.only))
       model.results.emplace_back().entry = std::move(entry);
   }

@@ -46,6 +46,8 @@ struct ModelResults {
   const Subject* subject = nullptr;
   std::vector<Result> results;
   std::optional<Score> input = {};  ///< of the model itself, in the suite of truth
+  /// `measure::smooth_limit`, the least RMS distance times faces, in percent of the diagonal.
+  double smooth_limit = 0;
 };
 
 /// Every round visits every contender on every model, in an order of its own (shuffled, the same on every
