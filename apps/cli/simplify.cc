@@ -119,13 +119,11 @@ std::string summary(const Options& options, const files::MeshFile& in, const Jso
                     const recipe::Result& result) {
   const double before = static_cast<double>(in.mesh.triangles.size());
   const double after = static_cast<double>(result.mesh.triangles.size());
-  double seconds = 0;
-  for (const auto& stage : result.stages) seconds += stage.plan_seconds + stage.execute_seconds;
   std::string out =
       text::format("%s: %zu faces of %zu left (%.1f %% removed), %zu vertices, %zu flipped, %.1f ms\n",
                    text::printable(options.out).c_str(), result.mesh.triangles.size(),
                    in.mesh.triangles.size(), before > 0 ? 100 * (1 - after / before) : 0,
-                   result.mesh.points.size(), result.flipped_faces, seconds * 1e3);
+                   result.mesh.points.size(), result.flipped_faces, 1e3 * result.seconds());
   if (result.charts_gone > 0)
     out +=
         text::format("  %zu of %zu charts of the texture have vanished\n", result.charts_gone, result.charts);

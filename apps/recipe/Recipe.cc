@@ -11,6 +11,7 @@
 #include "measure/sides.hh"
 #include "recipe/Catalogue.hh"
 #include "recipe/Stage.hh"
+#include "recipe/Stopwatch.hh"
 #include "recipe/flips.hh"
 #include "recipe/openmesh.hh"
 #include "recipe/pieces.hh"
@@ -124,8 +125,10 @@ bool keeps_bound(const IndexedMesh& input, const IndexedMesh& mesh, std::optiona
 void refit_result(const Task& task, std::optional<double> bound, Result& result) {
   RefitOptions options;
   options.flags = detail::refit_flags(task.mesh, task.extras);
+  Stopwatch watch;
   IndexedMesh mesh = result.mesh;
   const RefitReport report = refit(task.mesh, mesh, result.vertex_map, result.face_origin, options);
+  result.refit_seconds = watch.lap();
   result.refit_dropped = !keeps_bound(task.mesh, mesh, bound, result);
   if (result.refit_dropped) return;
   result.refit = report;
@@ -245,6 +248,12 @@ void check(const Recipe& recipe) {
         recipe.refit.value_or(false) && !bound.empty() && spec.has(bound))
       throw RecipeError("a refit does not keep the bound '" + bound + "' of module '" + spec.name +
                         "'; --max-distance bounds the whole run, and the refit with it");
+}
+
+double Result::seconds() const {
+  double sum = refit_seconds;
+  for (const StageResult& stage : stages) sum += stage.plan_seconds + stage.execute_seconds;
+  return sum;
 }
 
 bool wants_refit(const Recipe& recipe) {

@@ -124,10 +124,13 @@ struct Result : Decimated {
   bool retriangulation_dropped = false;  ///< it would have broken the bound
   std::optional<RefitReport> refit;      ///< if there was one
   bool refit_dropped = false;            ///< it would have broken the bound
-  DelaunayFlipsReport delaunay;          ///< of the retriangulation, if there was one
+  double refit_seconds = 0;
+  DelaunayFlipsReport delaunay;   ///< of the retriangulation, if there was one
   std::size_t flipped_faces = 0;  ///< faces turned by more than 90 degrees against their own original normal,
                                   ///< before the retriangulation
   bool target_reached = true;     ///< false: see reasons()
+
+  double seconds() const;  ///< that planning, execution and refit took
 };
 
 /// What a run respects besides the recipe; every part may be empty.

@@ -40,10 +40,14 @@ MadeSet SetMaker::make_anew(const SetDefinition& definition, const std::vector<S
     return {std::move(result.mesh), result.milliseconds, 0};
   }
   recipe::Recipe recipe;
-  recipe.modules = {recipe::parse_spec(definition.recipe)};
+  std::string spec = definition.recipe;
+  if (const std::size_t end = spec.find(SetDefinition::kRefitSuffix); end != std::string::npos) {
+    spec.resize(end);
+    recipe.refit = true;
+  }
+  recipe.modules = {recipe::parse_spec(spec)};
   auto result = recipe::run(original_, recipe);
-  double seconds = 0;
-  for (const auto& stage : result.stages) seconds += stage.plan_seconds + stage.execute_seconds;
+  const double seconds = result.seconds();
   return {std::move(result.mesh), 1e3 * seconds, result.flipped_faces};
 }
 

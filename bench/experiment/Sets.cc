@@ -60,6 +60,25 @@ void add_error_curves(std::vector<SetDefinition>& sets) {
   }
 }
 
+/// The papers' algorithms, refitted.
+void add_refitted_curves(std::vector<SetDefinition>& sets) {
+  const auto add = [&](const std::string& algorithm, const std::string& name, const std::string& parameter,
+                       const std::string& recipe) {
+    sets.push_back({name + "-refitted", algorithm + " " + parameter + ", refitted", algorithm + " refitted",
+                    parameter, recipe + SetDefinition::kRefitSuffix, "", Role::curve});
+  };
+  for (const std::string passes : {"1", "3"})
+    add("VT", "vt-passes-" + passes, passes + "×", "vt:passes=" + passes);
+  for (const std::string d : {"0.0009", "0.002"}) {
+    add("IVDD", "ivdd-" + d, d, "ivdd:distance=" + d);
+    add("VTD", "vtd-" + d, d, "vtd:distance=" + d);
+  }
+  for (const std::string r : {"0.001", "0.002"}) {
+    add("SS", "ss-" + r, r, "ss:radius=" + r);
+    add("FASS", "fass-" + r + "-30", r, "fass:radius=" + r + ",angle=30");
+  }
+}
+
 void add_literal(std::vector<SetDefinition>& sets) {
   const auto add = [&](const std::string& base, const std::string& algorithm, const std::string& parameter,
                        const std::string& words, const std::string& recipe) {
@@ -126,6 +145,7 @@ std::vector<SetDefinition> beyond_sets(const std::vector<PeerName>& peers) {
   std::vector<SetDefinition> sets = {original()};
   add_curves(sets);
   add_error_curves(sets);
+  add_refitted_curves(sets);
   for (const PeerName& peer : peers)
     for (const std::string base : kOneEach)
       sets.push_back(

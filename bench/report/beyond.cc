@@ -82,12 +82,13 @@ std::vector<std::string> peer_row(const SetResult& set, const ExperimentResult& 
 
 Section tradeoff_section(const ExperimentResult& e) {
   Section section{"tradeoff", "Error against frame time", warnings(e)};
-  section.blocks.push_back(
-      Paragraph{"Each algorithm is a curve over its threshold (VT: over its passes), the other simplifiers "
-                "over the triangle "
-                "counts of Whittle's sets. By error: the same algorithm with the cheapest merges first and "
-                "places by quadrics. Lower and further to the left is better. Rest the mouse on a "
-                "point for its set."});
+  section.blocks.push_back(Paragraph{
+      "Each algorithm is a curve over its threshold (VT: over its passes), the other simplifiers "
+      "over the triangle "
+      "counts of Whittle's sets. By error: the same algorithm with the cheapest merges first and "
+      "places by quadrics. Refitted: its vertices moved at the end to where the faces fit the original "
+      "best. Lower and further to the left is better. Rest the mouse on a "
+      "point for its set."});
   const auto rms_of = [&](const Fidelity& f) { return 100 * f.rms / e.model.mean_edge; };
   auto rms = tradeoff_chart(e, frame_time, rms_of);
   rms.title = "RMS error of each set against the time of a frame, one curve an algorithm";
@@ -116,7 +117,7 @@ Section peer_section(const ExperimentResult& e) {
                 "the simplifier alone, without reading files: Whittle's bulk executor and planner on flat "
                 "arrays, OpenMesh's "
                 "DecimaterT with ModQuadricT from Debian's library (built with assertions), meshoptimizer's "
-                "meshopt_simplify, Whittle's mq, CGAL's "
+                "meshopt_simplify, Whittle's quadric with a refit, Whittle's mq, CGAL's "
                 "edge_collapse with Lindstrom and Turk's policies. RMS and max are in % of the mean edge."});
   Table table{"The same number of triangles, by different means",
               {"Simplifier", "Triangles", "Decimation, ms", "RMS", "Max", "Normals, °", "Quality", "PSNR, dB",

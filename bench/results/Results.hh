@@ -21,11 +21,13 @@ enum class Role {
 
 /// What to make of the original. The original itself has neither recipe nor `compared_with`.
 struct SetDefinition {
+  static constexpr const char* kRefitSuffix = " --refit";
+
   std::string name;           ///< on the command line and in file names; unique in its experiment
   std::string label;          ///< for readers
   std::string algorithm;      ///< "VT", "FAD", …; the peer's name; empty for the original
   std::string parameter;      ///< short, for the axis of a chart: "30°"
-  std::string recipe;         ///< a module specification; "peer:NAME" for a peer
+  std::string recipe;         ///< a module specification, refitted with kRefitSuffix; "peer:NAME" for a peer
   std::string compared_with;  ///< the set that a literal, peer or cache set belongs to
   Role role = Role::paper;
 

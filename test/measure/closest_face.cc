@@ -53,11 +53,11 @@ void compare_with_all(const IndexedMesh& mesh, const std::vector<Eigen::Vector3d
 
 TEST_CASE("the closest face is that of a search over all faces") {
   for (const unsigned seed : {1u, 2u}) {
-    const IndexedMesh target = soup(seed, 400);
-    std::vector<Eigen::Vector3d> points = transformed(soup(seed + 10, 200), 3, {-1, -1, -1}).points;
+    const IndexedMesh target = soup(seed, 200);
+    std::vector<Eigen::Vector3d> points = transformed(soup(seed + 10, 120), 3, {-1, -1, -1}).points;
     const Surface surface(target);
-    for (std::size_t i = 0; i < 300; ++i)
-      points.push_back(surface.sample(i, 300));  // and points on the faces
+    for (std::size_t i = 0; i < 200; ++i)
+      points.push_back(surface.sample(i, 200));  // and points on the faces
     compare_with_all(target, points, 1);
 
     for (const double scale : {1e-6, 1e6}) {

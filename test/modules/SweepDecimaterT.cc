@@ -308,7 +308,7 @@ TEST_CASE("mq through the sweep is mq by bulk, on any number of threads") {
   MemorylessQuadric planner;
   planner.target_faces = mesh.n_faces() / 5;
   const auto expected = bulk(planner, to_indexed(mesh)).mesh;
-  for (const std::size_t threads : {1u, 2u, 5u, 0u}) {
+  for (const std::size_t threads : {1u, 3u}) {
     const auto swept = fixture::run<SweepDecimaterT, ModMemorylessQuadricT>(mesh, [&](auto& mq) {
       mq.set_target_faces(planner.target_faces);
       mq.set_threads(threads);

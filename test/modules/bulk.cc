@@ -22,7 +22,7 @@ void check_any_number_of_threads(const Planner& planner, const IndexedMesh& mesh
   options.passes = 2;
   const auto one = bulk(planner, mesh, options);
   CHECK(one.mesh.triangles.size() < mesh.triangles.size());
-  for (const std::size_t threads : {2u, 3u, 8u, 0u}) {
+  for (const std::size_t threads : {2u, 8u}) {
     options.threads = threads;
     const auto many = bulk(planner, mesh, options);
     CHECK(many.mesh.points == one.mesh.points);
@@ -88,7 +88,7 @@ TEST_CASE("bulk heeds locks and refuses what it cannot use") {
 }
 
 TEST_CASE("the result does not depend on the number of threads") {
-  const IndexedMesh mesh = meshes::shaken(meshes::torus(240, 120), 0.001, 5);
+  const IndexedMesh mesh = meshes::shaken(meshes::torus(150, 90), 0.001, 5);
   SphereScan ss;
   ss.radius = 0.03;
   Vtd vtd;

@@ -207,7 +207,7 @@ TEST_CASE("a result is exported by a worker, which says when it is done and what
 
 TEST_CASE("a newer change ends the measurement of the result before it") {
   const programs::Folder folder;
-  files::write_mesh(folder / "torus.ply", meshes::torus(250, 150));
+  files::write_mesh(folder / "torus.ply", meshes::torus(180, 100));
   Session session;
   session.open(folder / "torus.ply");
   poll_while(session, [&] { return session.part_done().value_or(0) == 0 && !session.comparison(); });

@@ -48,8 +48,7 @@ std::shared_ptr<Outcome> finished(std::shared_ptr<const Model> model, const reci
   outcome->result = std::move(result);
   if (model->file.single_precision)
     for (auto& point : outcome->result.mesh.points) point = point.cast<float>().cast<double>();
-  for (const recipe::StageResult& stage : outcome->result.stages)
-    outcome->milliseconds += 1e3 * (stage.plan_seconds + stage.execute_seconds);
+  outcome->milliseconds = 1e3 * outcome->result.seconds();
   outcome->arrays.emplace(outcome->mesh());
   outcome->recipe = recipe;
   outcome->model = std::move(model);

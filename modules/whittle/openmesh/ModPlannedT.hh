@@ -137,7 +137,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   void initialize() override {
     const MeshT& mesh = this->mesh();
     forget();
-    holds_survivor_ = false;
+    holds_survivor_ = has_collapsed_ = false;
+    n_unsampled_ = 0;
     detail::SnapshotT<MeshT> snapshot(mesh);
     SurfaceExtras extras;
     extras.flags = snapshot.flags();
@@ -206,7 +207,10 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   }
 
   /// After the last collapse, and before garbage collection: refits the mesh, if that is wanted. Whittle's drivers call it.
+  /// Again, it does nothing until something collapses.
   void finish(bool only_selected = false) override {
+    if (!has_collapsed_) return;
+    has_collapsed_ = false;
     std::vector<bool> has_changed(this->mesh().n_vertices(), false);
     refit_report_ = {};
     if (n_planned_vertices_ == this->mesh().n_vertices() && detail::wants_refit(planner_, wants_refit_))
@@ -324,6 +328,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   /// \return whether it has moved
   bool settle(std::size_t rank) {
     const bool moved = execution_.settle(this->mesh(), rank, holds_survivor_);
+    has_collapsed_ = true;
     const Collapse& collapse = execution_.collapse(rank);
     attributes_.merge(this->mesh(), vertex(collapse.from), vertex(collapse.to), moved);
     return moved;
@@ -363,6 +368,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   detail::SurvivorAttributesT<MeshT> attributes_;
   std::vector<std::uint8_t> held_;  // what stays in a refit
   RefitReport refit_report_;
+  bool has_collapsed_ = false;  // since the last `finish()`
   std::size_t n_unsampled_ =
       0;  // the first collapses of the plan whose survivors have yet to take their values
   bool holds_survivor_ = false;  // a seam does, in the collapse that is under way

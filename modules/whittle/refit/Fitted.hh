@@ -71,28 +71,33 @@ struct alignas(16) Face {
   }
 };
 
+/// How a vertex may move.
+enum class Freedom : std::uint8_t { none, along_normal, any };
+
 /// What is known of the simplified mesh.
 struct Fitted {
   static constexpr std::size_t kAtOnce = 4096;  // faces or vertices that a thread takes
 
-  /// \param stays  for each vertex whether it keeps its place; those on the boundary do in any case
+  /// \param asked  for each vertex how it may move; those on the boundary may not in any case
   template <typename Real>
-  Fitted(const IndexedMeshT<Real>& mesh, const Frame<Real>& frame, const std::vector<bool>& stays,
+  Fitted(const IndexedMeshT<Real>& mesh, const Frame<Real>& frame, const std::vector<Freedom>& asked,
          detail::Crew& crew)
       : triangles(mesh.triangles),
         corners(detail::Lists::of_corners(mesh.triangles, mesh.points.size())),
-        is_free(mesh.points.size()),
+        freedom(mesh.points.size()),
         points(frame.local(mesh.points, crew)),
         faces(triangles.size()) {
     const std::size_t n = n_vertices();
     crew.each_range(n, (n + crew.size() - 1) / crew.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> marks(n, kNoMark);
       for (std::size_t v = begin; v < end; ++v)
-        is_free[v] = !stays[v] && is_inner(static_cast<std::uint32_t>(v), marks);
+        freedom[v] = asked[v] != Freedom::none && is_inner(static_cast<std::uint32_t>(v), marks)
+                         ? asked[v]
+                         : Freedom::none;
     });
   }
 
-  std::size_t n_vertices() const { return is_free.size(); }
+  std::size_t n_vertices() const { return freedom.size(); }
 
   void set_faces(detail::Crew& crew) {
     crew.each_range(faces.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
@@ -104,9 +109,9 @@ struct Fitted {
   }
 
   const std::vector<Triangle>& triangles;
-  detail::Lists corners;      ///< of each vertex; corner k of face f is 3 f + k
-  std::vector<char> is_free;  ///< whether a vertex may move
-  std::vector<Vec> points;    ///< and one more
+  detail::Lists corners;  ///< of each vertex; corner k of face f is 3 f + k
+  std::vector<Freedom> freedom;
+  std::vector<Vec> points;  ///< and one more
   std::vector<Face> faces;
 
  private:

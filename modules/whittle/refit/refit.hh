@@ -25,7 +25,8 @@ struct RefitOptions {
   std::size_t rounds = 2;
   /// 0: as many as the machine runs at once. The result is the same for any number.
   std::size_t threads = 0;
-  /// For each vertex of the original: what merged with one that has kLocked, kFeature or kSeam stays in place. Or empty
+  /// For each vertex of the original: what merged with one that has kLocked or kFeature stays in place, what merged with one
+  /// that has kSeam moves along its normal only. Or empty
   std::vector<std::uint8_t> flags;
 };
 
@@ -68,7 +69,8 @@ inline SurfaceExtras held_part(const SurfaceExtras& extras) {
 /// that moment; what the collapses around it have done since, this makes up for. It needs no search: each vertex of the
 /// original says around which vertex of the result its faces are to be found. Triangles and their order stay.
 ///
-/// Vertices on the boundary, at edges that are not manifold, and those that the flags hold stay where they are, to the bit.
+/// Vertices on the boundary, at edges that are not manifold, and those that the flags hold stay where they are, to the bit. Those
+/// on seams move along their normals only, so that a seam keeps its course on the surface.
 /// No vertex moves by more than a fifth of its shortest edge in a round; no face turns by more than 45 degrees in a round,
 /// or over against what it was in the original.
 ///
@@ -99,15 +101,21 @@ RefitReport refit(const IndexedMeshT<Real>& original, IndexedMeshT<Real>& mesh,
                            std::to_string(n) + " vertices");
   if (mesh.triangles.empty()) return {};
 
-  std::vector<bool> stays(mesh.points.size(), false);
-  for (std::size_t v = 0; v < options.flags.size(); ++v)
-    if ((options.flags[v] & (kLocked | kFeature | kSeam)) != 0 && vertex_map[v] < stays.size())
-      stays[vertex_map[v]] = true;
+  using refitting::Freedom;
+  std::vector<Freedom> freedom(mesh.points.size(), Freedom::any);
+  for (std::size_t v = 0; v < options.flags.size(); ++v) {
+    if (vertex_map[v] >= freedom.size()) continue;
+    Freedom& its = freedom[vertex_map[v]];
+    if ((options.flags[v] & (kLocked | kFeature)) != 0)
+      its = Freedom::none;
+    else if ((options.flags[v] & kSeam) != 0)
+      its = std::min(its, Freedom::along_normal);
+  }
   detail::Crew crew(
       std::min(detail::thread_count(options.threads), 1 + n_faces / refitting::Fitted::kAtOnce));
   const refitting::Frame<Real> frame(original.points);
   const refitting::Original input(original, frame, crew);
-  refitting::Fitted fitted(mesh, frame, stays, crew);
+  refitting::Fitted fitted(mesh, frame, freedom, crew);
   const std::vector<refitting::Vec> start = fitted.points;
   std::vector<std::uint32_t> homes;
   RefitReport report;

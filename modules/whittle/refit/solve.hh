@@ -107,25 +107,48 @@ inline float step(std::size_t round, std::size_t rounds) {
   return static_cast<float>(1 / (kCenter - kHalfWidth * std::cos(angle)));
 }
 
-/// Where a vertex has the least error if its neighbours move alike, or further by a factor; from its place at most a fifth
-/// of its shortest edge away. What is less than a hundred thousandth of that is rounding.
-inline Vec moved(const Fitted& fitted, std::uint32_t v, const Sum& sum, float factor) {
-  constexpr float kPull = 1e-3f, kFarthest = 0.2f, kLeast = 1e-5f;
-  const Vec& here = fitted.points[v];
+/// The sum of the faces' areas around a vertex, each along its normal.
+inline Vec area_around(const Fitted& fitted, std::uint32_t v) {
+  Vec sum = Vec::Zero();
+  const auto [begin, end] = fitted.corners.of(v);
+  for (const std::uint32_t* c = begin; c != end; ++c) {
+    const Face& face = fitted.faces[*c / 3];
+    sum += face.area * face.normal;
+  }
+  return sum;
+}
+
+/// The move of a vertex with the least error, if its neighbours move alike. 0 if there is none.
+inline Vec best_move(const Fitted& fitted, std::uint32_t v, const Sum& sum) {
+  constexpr float kPull = 1e-3f;
   mq::SymmetricMatrix matrix{sum(0, 0), sum(1, 0), sum(2, 0), sum(1, 1), sum(2, 1), sum(2, 2)};
+  const Vec side = sum.row(3).transpose();
   const float trace = matrix.trace();
-  if (!(trace > 0)) return here;
+  if (!(trace > 0)) return Vec::Zero();
   matrix += mq::SymmetricMatrix::identity(kPull * trace);
+  if (fitted.freedom[v] == Freedom::along_normal) {
+    const Vec normal = area_around(fitted, v);
+    const float stiffness = normal.dot(matrix * normal);
+    return stiffness > 0 ? Vec(normal.dot(side) / stiffness * normal) : Vec(Vec::Zero());
+  }
   Vec pivots;
-  const Vec move = factor * matrix.solve(sum.row(3).transpose(), pivots);
-  if (!(pivots.minCoeff() > 0) || !move.allFinite()) return here;
+  const Vec move = matrix.solve(side, pivots);
+  return pivots.minCoeff() > 0 ? move : Vec(Vec::Zero());
+}
+
+/// Where a vertex goes: its best move times a factor, at most a fifth of its shortest edge. What is less than a hundred
+/// thousandth of that is rounding.
+inline Vec moved(const Fitted& fitted, std::uint32_t v, const Sum& sum, float factor) {
+  constexpr float kFarthest = 0.2f, kLeast = 1e-5f;
+  const Vec& here = fitted.points[v];
+  const Vec move = factor * best_move(fitted, v, sum);
   float shortest = std::numeric_limits<float>::infinity();
   const auto [begin, end] = fitted.corners.of(v);
   for (const std::uint32_t* c = begin; c != end; ++c)
     shortest =
         std::min(shortest, (fitted.points[fitted.triangles[*c / 3][(*c + 1) % 3]] - here).squaredNorm());
   const float length = move.norm(), edge = std::sqrt(shortest), farthest = kFarthest * edge;
-  if (!(length > kLeast * edge)) return here;
+  if (!move.allFinite() || !(length > kLeast * edge)) return here;
   return here + (length > farthest ? Vec(move * (farthest / length)) : move);
 }
 
@@ -147,7 +170,8 @@ inline std::size_t move_all(Fitted& fitted, const std::vector<Sum>& sums, float 
   std::vector<Vec> there(fitted.points);
   crew.each_range(fitted.n_vertices(), Fitted::kAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
-      if (fitted.is_free[v]) there[v] = moved(fitted, static_cast<std::uint32_t>(v), sums[v], factor);
+      if (fitted.freedom[v] != Freedom::none)
+        there[v] = moved(fitted, static_cast<std::uint32_t>(v), sums[v], factor);
   });
   std::vector<char> turns(fitted.faces.size());
   const auto turns_now = [&](std::size_t f) {

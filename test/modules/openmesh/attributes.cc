@@ -58,6 +58,7 @@ void decimate_with(M mesh, Setup setup, Look look) {
   setup(decimater.module(handle));
   REQUIRE(decimater.initialize());
   REQUIRE(decimater.decimate() > 0);
+  decimater.module(handle).finish();
   look(mesh);
 }
 template <template <typename> class Module, typename Setup, typename Look>

@@ -83,6 +83,7 @@ SeamMesh run_seams(SeamMesh mesh, Setup setup, Prepare prepare) {
   prepare(decimater);
   REQUIRE(decimater.initialize());
   decimater.decimate();
+  decimater.module(handle).finish();
   compact(mesh);
   return mesh;
 }

@@ -184,7 +184,7 @@ TEST_CASE("mq plans the same among charts on any number of threads") {
     options.threads = 1;
     const auto one = bulk(seam_planner(5000), mesh, options);
     CHECK(one.mesh.triangles.size() <= 5000);
-    for (const std::size_t n_threads : {2u, 5u}) {
+    for (const std::size_t n_threads : {3u}) {
       options.threads = n_threads;
       const auto many = bulk(seam_planner(5000), mesh, options);
       REQUIRE(many.mesh.triangles == one.mesh.triangles);
