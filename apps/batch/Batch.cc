@@ -122,7 +122,6 @@ class Run {
   /// \return false where it is done or cannot be done: `outcome` says why
   bool try_begin(Candidate& one, Outcome& outcome) {
     const Item& item = order_.items[one.item];
-    outcome.status = Outcome::Status::skipped;
     if (order_.resume && memory_.knows(item, outcome)) {
       clear_away(one, item);
       return false;
@@ -135,7 +134,7 @@ class Run {
     outcome.status = Outcome::Status::elsewhere;
     if (!claim) return false;
     if (!claim->previous_owner().empty()) memory_.forget_work(item, claim->previous_owner());
-    outcome.status = Outcome::Status::skipped;  // it may have been finished just before it was claimed
+    // It may have been finished just before it was claimed.
     if (order_.resume && memory_.knows(item, outcome)) return false;
     std::filesystem::create_directories(item.out.parent_path());
     files::check_creatable(item.out);
@@ -246,6 +245,8 @@ std::string to_string(Outcome::Status status) {
       return "failed";
     case Outcome::Status::skipped:
       return "done before";
+    case Outcome::Status::missed_before:
+      return "target missed before";
     case Outcome::Status::elsewhere:
       return "in work elsewhere";
     default:

@@ -28,11 +28,12 @@ struct Order {
 struct Outcome {
   enum class Status {
     done,
-    missed,     ///< written, but the target was not reached
-    failed,     ///< bad input, killed, out of time or memory: nothing written
-    skipped,    ///< done before
-    elsewhere,  ///< claimed by another process
-    unfinished  ///< the batch was interrupted
+    missed,         ///< written, but the target was not reached
+    failed,         ///< bad input, killed, out of time or memory: nothing written
+    skipped,        ///< done before
+    missed_before,  ///< written before, but the target was not reached
+    elsewhere,      ///< claimed by another process
+    unfinished      ///< the batch was interrupted
   };
   Status status = Status::unfinished;
   double seconds = 0;

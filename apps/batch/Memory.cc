@@ -114,6 +114,9 @@ bool Memory::knows(const Item& item, Outcome& outcome) const {
                     text_at(record, "/input/stamp") != input_stamp(item)))
     return false;
   fill_counts(record, outcome);
+  const bool missed = record.value("missed", false);
+  outcome.status = missed ? Outcome::Status::missed_before : Outcome::Status::skipped;
+  if (missed) outcome.message = text_at(record, "/message");
   return true;
 }
 
@@ -123,6 +126,8 @@ void Memory::keep(const Item& item, const std::string& input_stamp, Outcome& out
       {"arguments", arguments_},
       {"input", {{"place", text::hash(place_of(item, order_))}, {"stamp", input_stamp}}},
       {"result", {{"stamp", stamp(result(item))}, {"bytes", bytes.size()}, {"hash", text::hash(bytes)}}},
+      {"missed", outcome.status == Outcome::Status::missed},
+      {"message", outcome.message},
       {"report", read(report(item))}};
   files::write_file(done(item), line(record));
   files::move_file(result(item), item.out);

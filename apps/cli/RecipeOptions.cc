@@ -163,7 +163,7 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
             return good ? std::string() : "must be a positive length in model units, not '" + text + "'";
           },
           ""))
-      ->type_name("LENGTH");
+      ->type_name("UNITS");
 }
 
 recipe::Recipe make_recipe(const RecipeOptions& options) {

@@ -87,7 +87,9 @@ std::string own_path() {
 }
 
 bool is_bad(const Outcome& outcome) {
-  return outcome.status == Outcome::Status::failed || outcome.status == Outcome::Status::missed;
+  using Status = Outcome::Status;
+  return outcome.status == Status::failed || outcome.status == Status::missed ||
+         outcome.status == Status::missed_before;
 }
 
 std::string table(const std::vector<batch::Item>& items, const std::vector<Outcome>& outcomes, bool all) {

@@ -203,6 +203,10 @@ int lods(Options options) {
   outputs.commit();
   if (!options.quiet)
     for (const std::string& note : written.notes()) complain(options.out + ": " + note);
+  const auto was_dropped = [](const Level& level) { return level.result.refit_dropped; };
+  if (const auto n = std::count_if(levels.begin(), levels.end(), was_dropped); n > 0 && !options.quiet)
+    complain("the refit of " + std::to_string(n) +
+             " levels would break the bound on the distance and was left out");
   int code = 0;
   if (!options.quiet && options.json != "-" && !print_summary(table(in, levels))) code = 1;
   for (const Level& level : levels)

@@ -64,6 +64,7 @@ Json refit_json(const recipe::Result& result) {
   const RefitReport refit = result.refit.value_or(RefitReport());
   return {{"vertices_moved", refit.moved},
           {"moves_refused", refit.refused},
+          {"ms", 1e3 * result.refit_seconds},
           {"dropped_for_the_bound", result.refit_dropped}};
 }
 
@@ -144,6 +145,9 @@ std::string summary(const Options& options, const files::MeshFile& in, const Jso
         stage.record.refused_by_flip_guard, stage.record.refused_by_link, stage.record.refused_by_seam,
         stage.refused_by_decimater);
   }
+  if (result.refit)
+    out += text::format("  refit: %zu vertices moved, %zu moves refused, %.1f ms\n", result.refit->moved,
+                        result.refit->refused, result.refit_seconds * 1e3);
   if (result.held > result.held_on_seams)
     out += text::format("  %zu vertices locked\n", result.held - result.held_on_seams);
   if (result.held_on_seams > 0) out += text::format("  %zu vertices on seams held\n", result.held_on_seams);

@@ -78,6 +78,19 @@ TEST_CASE("batch resumes: what is done stays as it is, what has changed is done 
   CHECK_THAT(scans.run({"--resume", "--module", "ss"}).out, Contains("4 done;"));
 }
 
+TEST_CASE("batch resumes: a target that was missed before is missed still") {
+  const Scans scans;
+  fs::remove(scans.path() / "bad.obj");
+  const std::vector<std::string> too_little{"--module", "ivdd:distance=0.000001"};
+  const auto first = scans.run(too_little);
+  CHECK(first.code == 1);
+  CHECK_THAT(first.out, Contains(" target missed;"));
+  const auto again = scans.run({"--resume", too_little[0], too_little[1]});
+  CHECK(again.code == 1);
+  CHECK_THAT(again.out, Contains(" target missed before;"));
+  CHECK_THAT(again.err, Contains("a.ply: target missed before: "));
+}
+
 TEST_CASE("several batches on one folder share the work: each mesh is done once") {
   const Scans scans;
   fs::remove(scans.path() / "bad.obj");
