@@ -57,13 +57,18 @@ std::optional<double> error(const Json* result, const char* which) {
   return (*result).at("score").at("distance").at(which).get<double>();
 }
 
-/// How many times the error of one contender is another's, at the same share of the faces.
+/// How many times the error of one contender is another's, at the same share of the faces. None where one of them has two
+/// percent more faces left than the other. What is less than a millionth of the diagonal is rounding, and counts as that.
 std::optional<double> error_ratio(const Results& results, const char* first, const char* second,
                                   const char* share, const char* which) {
-  const auto a = error(results.find(long_name(first, share)), which),
-             b = error(results.find(long_name(second, share)), which);
-  if (!a || !b || !(*b > 0)) return std::nullopt;
-  return *a / *b;
+  constexpr double kRounding = 1e-4, kMoreFaces = 1.02;  // percent
+  const Json *const a = results.find(long_name(first, share)), *const b =
+                                                                   results.find(long_name(second, share));
+  const auto of_a = error(a, which), of_b = error(b, which);
+  if (!of_a || !of_b) return std::nullopt;
+  const double faces_a = (*a).at("score").value("faces", 0.0), faces_b = (*b).at("score").value("faces", 0.0);
+  if (std::max(faces_a, faces_b) > kMoreFaces * std::min(faces_a, faces_b)) return std::nullopt;
+  return std::max(*of_a, kRounding) / std::max(*of_b, kRounding);
 }
 
 /// A ratio for each planned module.

@@ -82,8 +82,11 @@ void write_figures(std::ostream& out, const std::vector<Json>& runs) {
 void write_means(std::ostream& out, const Json& suite) {
   const std::vector<MeanRatio> means = mean_ratios(suite);
   if (means.empty()) return;
-  out << "## Over all models\n\nThe error in the geometric mean of so many models, in that of the peer; then "
-         "the worst.\n\n"
+  out << "## Over all models\n\nThe error as a multiple of the peer's: the geometric mean over so many "
+         "models, then the worst. "
+         "Where their faces differ by more than two percent a model is left out; what is below a millionth "
+         "of the "
+         "diagonal counts as that.\n\n"
       << "| ours | peer | error | of the faces | models | mean | worst | on "
          "|\n|---|---|---|---|--:|--:|--:|---|\n";
   for (const MeanRatio& mean : means)

@@ -1,5 +1,7 @@
 #include "speed/figures.hh"
 
+#include <cmath>
+
 #include "catch.hh"
 #include "results/Statistics.hh"
 
@@ -144,4 +146,36 @@ TEST_CASE("mq is held to the peers in time and in error") {
   CHECK(all[1].ratios.at(0).value == Approx(1));
   CHECK(all[1].reached());
   CHECK(all[2].ratios.at(0).value == Approx(0.5));
+}
+
+TEST_CASE("over several models errors count as ratios, where the faces are as many, and down to rounding") {
+  const auto at = [](const char* name, int faces, double rms, double max) {
+    Json json = result(name, 0.01);
+    json["score"] = {{"faces", faces},
+                     {"nonmanifold_edges", 0},
+                     {"distance", {{"rms_percent_of_diagonal", rms}, {"max_percent_of_diagonal", max}}}};
+    return json;
+  };
+  const auto pair = [&](const char* name, double rms, double theirs, int their_faces) {
+    return model(name, 100,
+                 {at("bulk mq 50 %", 50, rms, 1), at("meshopt_simplify 50 %", their_faces, theirs, 2)});
+  };
+  const auto means = [&](const std::vector<Json>& models) {
+    return speed::mean_ratios({{"suite", "truth"}, {"models", models}});
+  };
+  const auto both = means({pair("cow", 0.02, 0.01, 50), pair("pig", 0.04, 0.32, 51)});
+  REQUIRE(both.size() == 2);
+  CHECK(both[0].error == "RMS");
+  CHECK(both[0].share == "50 %");
+  CHECK(both[0].geometric_mean == Approx(0.5));
+  CHECK(both[0].worst == Approx(2));
+  CHECK(both[0].worst_model == "cow");
+  CHECK(both[0].models == 2);
+  CHECK(both[1].error == "largest distance");
+  CHECK(both[1].geometric_mean == Approx(0.5));
+
+  CHECK(means({pair("cow", 0.02, 0.01, 50), pair("pig", 0.04, 0.32, 52)}).empty());  // one is left
+  const auto exact = means({pair("cow", 1e-9, 1e-12, 50), pair("pig", 1e-3, 0, 50)});
+  CHECK(exact[0].geometric_mean == Approx(std::sqrt(10.0)));
+  CHECK(exact[0].worst == Approx(10));
 }
