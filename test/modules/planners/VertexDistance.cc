@@ -108,7 +108,6 @@ TEST_CASE("IVDD keeps boundary, locked and feature vertices") {
 }
 
 TEST_CASE("IVDD folds a vertex at most once a pass") {
-  // Edges of the torus, triangles of the grid.
   for (const auto& [mesh, distance] :
        {std::pair(meshes::torus(12, 9), 0.3), std::pair(meshes::flat_grid(9), 1.2)}) {
     const CollapsePlan folded = plan(folding(distance), mesh);
@@ -122,6 +121,16 @@ TEST_CASE("IVDD folds a vertex at most once a pass") {
     CHECK(*std::max_element(clusters.begin(), clusters.end()) == 1);
     CHECK(folded.record.refused_by_link == 0);  // what has folded is not tried again
   }
+}
+
+TEST_CASE("IVDD does not try again any of the three vertices that a triangle has taken") {
+  IndexedMesh mesh = meshes::flat_grid(6);  // the diagonals are longer
+  std::swap(mesh.triangles[0],
+            *std::find(mesh.triangles.begin(), mesh.triangles.end(), IndexedMesh::Triangle{14, 15, 21}));
+  const CollapsePlan folded = plan(folding(1.2), mesh);
+  CHECK(meshes::merges(folded) ==
+        meshes::Merges{{15, 14}, {21, 14}, {7, 8}, {9, 10}, {19, 13}, {22, 16}, {26, 20}, {27, 28}});
+  CHECK(folded.record.refused_by_link + folded.record.refused_by_flip_guard + folded.record.fell_back == 0);
 }
 
 TEST_CASE("IVDD is not troubled by degenerate triangles") {

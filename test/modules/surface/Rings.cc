@@ -116,6 +116,10 @@ TEST_CASE("what is neither a disc nor a fan is complex, and has no ring") {
     third_face_arrives.push_back({0, n + 2, 2});
     CHECK(is_complex(third_face_arrives, n + 3));
 
+    Triangles winding = fan(n, false);  // the face that goes on past the beginning is found first
+    winding.insert(winding.begin(), {0, 1, n + 1});
+    CHECK(is_complex(winding, n + 2));
+
     Triangles repeated = fan(n, false);
     repeated.push_back(repeated.front());
     CHECK(is_complex(repeated, n + 1));
