@@ -2,6 +2,7 @@
 
 #include <map>
 #include <set>
+#include <vector>
 
 #include "OpenMeshFixture.hh"
 #include "whittle/ModMemorylessQuadricT.hh"
@@ -44,6 +45,18 @@ TEST_CASE("half-edge texture coordinates are values where the corners of a verte
       CHECK(value[1] == 2 * y);
     }
   }
+}
+
+TEST_CASE("what the user has locked or marked as a feature is held, and nothing that is deleted") {
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::flat_grid(2));
+  CHECK(detail::user_flags(mesh) == std::vector<std::uint8_t>(4, 0));
+  mesh.request_vertex_status();
+  mesh.status(Mesh::VertexHandle(0)).set_locked(true);
+  mesh.status(Mesh::VertexHandle(1)).set_feature(true);
+  for (const int v : {2, 3}) mesh.status(Mesh::VertexHandle(v)).set_locked(true);
+  mesh.status(Mesh::VertexHandle(2)).set_feature(true);
+  mesh.status(Mesh::VertexHandle(3)).set_deleted(true);
+  CHECK(detail::user_flags(mesh) == std::vector<std::uint8_t>{kLocked, kFeature, kLocked | kFeature, 0});
 }
 
 TEST_CASE("every kind of value has its place, and what the mesh lacks has none") {
