@@ -34,9 +34,21 @@ class LinkConditionT {
   /// How many faces the collapse would remove; 0 where it is illegal.
   std::uint32_t legal_faces(std::uint32_t from, std::uint32_t to);
 
-  /// To be told of what changes: that a cluster has grown, or that one has been taken out of another again.
-  void grown(std::uint32_t survivor) { n_joins_ += is_hub(survivor); }
-  void parted() { neighbours_.clear(); }
+  /// To be told of what changes: that a cluster has grown, or that all joins since the beginning of a trial have been
+  /// taken back.
+  void begin() {
+    n_joins_before_ = n_joins_;
+    learnt_.clear();
+    has_grown_ = false;
+  }
+  void grown(std::uint32_t survivor) {
+    n_joins_ += is_hub(survivor);
+    has_grown_ = true;
+  }
+  void taken_back() {
+    n_joins_ = n_joins_before_;
+    for (const std::uint64_t pair : learnt_) neighbours_.erase(pair);
+  }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -67,7 +79,10 @@ class LinkConditionT {
   std::array<std::uint32_t, 2> opposite_{};
   // Of two hubs: 0 if they are neighbours, else after how many joins they were not.
   std::unordered_map<std::uint64_t, std::size_t> neighbours_;
-  std::size_t n_joins_ = 1;
+  std::size_t n_joins_ = 1, n_joins_before_ = 1;
+  bool has_grown_ = false;  // in this trial
+  std::vector<std::uint64_t>
+      learnt_;  // pairs of which an answer is known that joins of this trial may have changed
 };
 
 template <typename Real>
@@ -194,6 +209,7 @@ bool LinkConditionT<Real>::are_neighbours(std::uint32_t a, std::uint32_t b) {
   if (!is_new && (known->second == 0 || known->second == n_joins_)) return known->second == 0;
   const bool found = has_neighbour(near, far);
   known->second = found ? 0 : n_joins_;
+  if (has_grown_) learnt_.push_back(pair);
   return found;
 }
 

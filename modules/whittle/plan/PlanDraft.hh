@@ -75,14 +75,17 @@ class PlanDraftT {
 
   Verdict try_merge(Members members, const Eigen::Vector3d& target);
 
-  bool keeps_orientation(Members members, const Eigen::Vector3d& target);
+  /// Takes the collapses from one of the plan on back out of it.
+  void take_back(std::size_t first);
 
+  /// Whether the faces around all members that are no hubs keep to the guard. Notes the hubs that would move.
+  bool keeps_orientation(Members members, const Eigen::Vector3d& target);
   /// Whether the faces that were at `v` in the input keep to the guard when its survivor lies at `target`.
   /// The vertices that are about to merge carry the mark `merging`.
   bool keeps_orientation_around(std::uint32_t v, const Eigen::Vector3d& target, std::uint32_t merging) const;
   /// The same of a vertex of very many faces, which each of its neighbours may want to move: begins where it was
-  /// refused the last time.
-  bool keeps_orientation_around_hub(std::uint32_t v, const Eigen::Vector3d& target, std::uint32_t merging);
+  /// refused the last time. \param merged  what the members have become
+  bool keeps_orientation_around_hub(std::uint32_t v, const Eigen::Vector3d& target, std::uint32_t merged);
 
   /// Whether a face that has turned keeps to the guard.
   bool keeps_to_guard(const Eigen::Vector3d& before, const Eigen::Vector3d& after) const {
@@ -98,59 +101,65 @@ class PlanDraftT {
   FlipGuard guard_;
   detail::ClustersT<Real> clusters_;
   detail::LinkConditionT<Real> links_;
+  std::vector<std::uint32_t> hubs_;                        // among the members, of those that move
   std::unordered_map<std::uint32_t, std::size_t> turned_;  // of a hub, the face that last turned too far
   CollapsePlan plan_;
 };
 
 template <typename Real>
 auto PlanDraftT<Real>::try_merge(Members members, const Eigen::Vector3d& target) -> Verdict {
-  if (!keeps_orientation(members, target)) return Verdict::refused_by_flip_guard;
+  const Eigen::Vector3d rounded = target.template cast<Real>().template cast<double>();
+  if (!keeps_orientation(members, rounded)) return Verdict::refused_by_flip_guard;
   const std::uint32_t to = members[0];
   const std::size_t first = plan_.collapses.size();
+  links_.begin();
   for (std::size_t i = 1; i < members.size(); ++i) {
     const std::uint32_t faces = links_.legal_faces(members[i], to);
-    if (faces > 0) {
-      clusters_.join(members[i], to);
-      links_.grown(to);
-      const auto rest = static_cast<std::uint32_t>(members.size() - 1 - i);
-      plan_.collapses.push_back({members[i], to, faces, rest, target});
-      continue;
+    if (faces == 0) {
+      take_back(first);
+      return Verdict::refused_by_link;
     }
-    for (; plan_.collapses.size() > first; plan_.collapses.pop_back()) {
-      clusters_.part(plan_.collapses.back().from, to);
-      links_.parted();
-    }
-    return Verdict::refused_by_link;
+    clusters_.join(members[i], to);
+    links_.grown(to);
+    const auto rest = static_cast<std::uint32_t>(members.size() - 1 - i);
+    plan_.collapses.push_back({members[i], to, faces, rest, target});
   }
+  // Hubs last, as most of what their neighbours propose is refused without them.
+  for (const std::uint32_t hub : hubs_)
+    if (!keeps_orientation_around_hub(hub, rounded, to)) {
+      take_back(first);
+      return Verdict::refused_by_flip_guard;
+    }
   clusters_.move(to, target.template cast<Real>());
   ++plan_.record.planned;
   return Verdict::accepted;
 }
 
 template <typename Real>
+void PlanDraftT<Real>::take_back(std::size_t first) {
+  for (; plan_.collapses.size() > first; plan_.collapses.pop_back())
+    clusters_.part(plan_.collapses.back().from, plan_.collapses.back().to);
+  links_.taken_back();
+}
+
+template <typename Real>
 bool PlanDraftT<Real>::keeps_orientation(Members members, const Eigen::Vector3d& target) {
+  hubs_.clear();
   if (guard_.min_cos <= -1) return true;
-  const Eigen::Vector3d rounded = target.template cast<Real>().template cast<double>();
   const std::uint32_t member = clusters_.new_stamp();
   for (const std::uint32_t m : members) clusters_.mark(m) = member;
-  bool keeps = true, has_hub = false;
-  const auto look = [&](std::uint32_t v, bool at_hubs) {
-    const bool is_hub = surface_.ring(v).n_faces() > kMany;
-    has_hub |= is_hub;
-    if (is_hub == at_hubs)
-      keeps = keeps && (is_hub ? keeps_orientation_around_hub(v, rounded, member)
-                               : keeps_orientation_around(v, rounded, member));
-  };
-  for (const bool at_hubs :
-       {false, true}) {  // hubs last, as most of their neighbours are refused without them
-    if (at_hubs && !has_hub) break;
-    for (const std::uint32_t m : members) {
-      if (position(m) == rounded) continue;  // its faces stay as they are
-      clusters_.for_each_member(m, [&](std::uint32_t v) { look(v, at_hubs); });
-      if (!keeps) return false;
-    }
+  bool keeps = true;
+  for (const std::uint32_t m : members) {
+    if (position(m) == target) continue;  // its faces stay as they are
+    clusters_.for_each_member(m, [&](std::uint32_t v) {
+      if (surface_.ring(v).n_faces() > kMany)
+        hubs_.push_back(v);
+      else
+        keeps = keeps && keeps_orientation_around(v, target, member);
+    });
+    if (!keeps) return false;
   }
-  return keeps;
+  return true;
 }
 
 template <typename Real>
@@ -182,14 +191,14 @@ bool PlanDraftT<Real>::keeps_orientation_around(std::uint32_t v, const Eigen::Ve
 
 template <typename Real>
 bool PlanDraftT<Real>::keeps_orientation_around_hub(std::uint32_t v, const Eigen::Vector3d& target,
-                                                    std::uint32_t merging) {
+                                                    std::uint32_t merged) {
   const Ring ring = surface_.ring(v);
   const bool given = surface_.has_reference_normals();
   const Eigen::Vector3d center = surface_.point(v);
   std::size_t& first = turned_[v];
   for (std::size_t n = 0, i = first; n < ring.n_faces(); ++n, i = i + 1 < ring.n_faces() ? i + 1 : 0) {
     const std::uint32_t a = survivor(ring[i]), b = survivor(ring[i + 1]);
-    if (a == b || clusters_.mark(a) == merging || clusters_.mark(b) == merging) continue;
+    if (a == b || a == merged || b == merged) continue;
     const Eigen::Vector3d before =
         given ? surface_.reference_normal(v, i)
               : (surface_.point(ring[i]) - center).cross(surface_.point(ring[i + 1]) - center);
