@@ -75,6 +75,16 @@ void ClosestFace::Release::operator()(RTCSceneTy* scene) const {
 
 ClosestFace::ClosestFace(const Surface& surface, unsigned threads, const std::function<bool()>& go_on)
     : surface_(surface) {
+  find_distinct();
+  constexpr double kMany = 64;  // boxes at a point, which take longer than to go down a tree of turned ones
+  if (OrientedBoxes::mean_overlap(surface, faces_) > kMany)
+    oriented_.emplace(surface, faces_, go_on);
+  else
+    build_tree(threads, go_on);
+}
+
+void ClosestFace::build_tree(unsigned threads, const std::function<bool()>& go_on) {
+  const Surface& surface = surface_;
   Eigen::Vector3d low = surface.point(surface.vertices().front()), high = low;
   for (const std::uint32_t vertex : surface.vertices()) {
     low = low.cwiseMin(surface.point(vertex));
@@ -82,7 +92,6 @@ ClosestFace::ClosestFace(const Surface& surface, unsigned threads, const std::fu
   }
   centre_ = low + 0.5 * (high - low);
   scale_ = 1 / (high - low).maxCoeff();
-  find_distinct();
 
   device_.reset(rtcNewDevice(("threads=" + std::to_string(threads)).c_str()));
   if (!device_) throw std::runtime_error("Embree cannot start");
@@ -146,6 +155,12 @@ void ClosestFace::find_distinct() {
 /// returns the distance to go on with, at most the last one.
 template <typename Visit>
 void ClosestFace::search(const Eigen::Vector3d& point, double distance, Visit visit) const {
+  if (oriented_) {
+    oriented_->search(point, distance, [&](std::uint32_t face) {
+      return visit(face, (point - closest_point(point, surface_.face(face))).squaredNorm());
+    });
+    return;
+  }
   const Eigen::Vector3d scaled = (point - centre_) * scale_;
   const double size = 1 + scaled.cwiseAbs().maxCoeff();
   const bool far = !(size < kFar);

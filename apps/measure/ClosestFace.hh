@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "measure/OrientedBoxes.hh"
 #include "measure/Surface.hh"
 
 struct RTCDeviceTy;
@@ -20,7 +22,8 @@ namespace whittle::measure {
 ///
 /// Embree's tree works in single precision; it only rules faces out, with a margin wider than its rounding.
 /// Distances are computed in double precision on the original coordinates, so the answer is that of a search
-/// over all faces.
+/// over all faces. Where the faces' boxes along the axes overlap so much that it rules out little, as where thousands
+/// of faces meet in a vertex or an edge, OrientedBoxes takes its place.
 class ClosestFace {
  public:
   /// \param threads  that build the tree; 0: all cores.
@@ -47,6 +50,7 @@ class ClosestFace {
   };
 
   void find_distinct();
+  void build_tree(unsigned threads, const std::function<bool()>& go_on);
 
   template <typename Visit>
   void search(const Eigen::Vector3d& point, double distance, Visit visit) const;
@@ -59,6 +63,7 @@ class ClosestFace {
   double scale_ = 1;  // Embree's coordinates are (point - centre_) * scale_, within [-0.5, 0.5]
   std::unique_ptr<RTCDeviceTy, Release> device_;
   std::unique_ptr<RTCSceneTy, Release> scene_;
+  std::optional<OrientedBoxes> oriented_;  // in place of the scene
 };
 
 }  // namespace whittle::measure

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "catch.hh"
+#include "measure/Monitor.hh"
+#include "measure/OrientedBoxes.hh"
 #include "meshes.hh"
 
 using namespace whittle;
@@ -115,4 +117,47 @@ TEST_CASE("of faces that coincide the first is the closest, and all of them are 
   CHECK(tree.closest({0.5, 0.5, 3}).face == 0);
   CHECK(tree.within({0.5, 0.5, 3}, 2) == std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
   CHECK(tree.distinct_within({0.5, 0.5, 3}, 2) == std::vector<std::size_t>{0, 1, 2, 3, 8, 9, 10, 11});
+}
+
+TEST_CASE("the closest of thousands of faces around one vertex or one edge is that of a search over all") {
+  constexpr std::uint32_t n = 1500;
+  IndexedMesh fan, book;
+  for (std::uint32_t i = 0; i < n; ++i)
+    fan.points.emplace_back(std::cos(6.283185307179586 * i / n), std::sin(6.283185307179586 * i / n), 0);
+  book.points = fan.points;
+  IndexedMesh disc = fan;
+  fan.points.emplace_back(0, 0, 0.5);
+  disc.points.emplace_back(0, 0, 0);
+  book.points.insert(book.points.end(), {{0, 0, -1}, {0, 0, 1}});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    fan.triangles.push_back({n, i, (i + 1) % n});
+    book.triangles.push_back({n, n + 1, i});
+  }
+  disc.triangles = fan.triangles;
+  const std::vector<Eigen::Vector3d> somewhere = transformed(soup(5, 20), 2, {-1, -1, -1}).points;
+  for (const IndexedMesh& mesh : {fan, book, disc}) {
+    const Surface surface(mesh);
+    std::vector<std::uint32_t> faces;
+    for (std::uint32_t f = 0; f < surface.size(); ++f) faces.push_back(f);
+    REQUIRE(OrientedBoxes::mean_overlap(surface, faces) > 64);
+    std::vector<Eigen::Vector3d> points = somewhere;
+    for (std::size_t i = 0; i < 50; ++i) points.push_back(surface.sample(i, 50));
+    compare_with_all(mesh, points, 1);
+    const ClosestFace tree(surface, 1);
+    CHECK(tree.closest(mesh.points[n]).face == 0);  // of all that are equally close the first
+    CHECK(tree.within(mesh.points[n], 1e-9).size() == n);
+    CHECK(tree.within(mesh.points[n], 9).size() == n);
+  }
+  const Surface surface(fan);
+  CHECK_THROWS_AS(ClosestFace(surface, 1, [] { return false; }), Cancelled);
+}
+
+TEST_CASE("boxes along the axes hold a point as often as they overlap") {
+  const IndexedMesh one = single_triangle();
+  CHECK(OrientedBoxes::mean_overlap(Surface(one), {0}) == Approx(1));
+  CHECK(OrientedBoxes::mean_overlap(Surface(one), {0, 0, 0}) == Approx(3));
+  const IndexedMesh many = grid(16);  // each face fills its square, which is a little larger than it is
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 0; f < 512; ++f) faces.push_back(f);
+  CHECK(OrientedBoxes::mean_overlap(Surface(many), faces) == Approx(2).epsilon(0.05));
 }

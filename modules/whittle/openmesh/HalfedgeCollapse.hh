@@ -12,7 +12,8 @@ namespace whittle::detail {
 
 /// The legality test and the collapse of OpenMesh's decimaters, for triangle meshes, without a call into
 /// OpenMesh's core library, which as Debian ships it checks every handle and every property on the way. Both
-/// do to the mesh just what OpenMesh does, down to the half-edge that each vertex and face points to; the
+/// do to the mesh just what OpenMesh does, down to the half-edge that each vertex and face points to, but for a
+/// vertex of more than 64 edges and several fans, which may point to the open half-edge of another fan. The
 /// mesh needs vertex, edge and face status, and its `tagged` bits are left alone.
 ///
 ///            vl
@@ -72,11 +73,7 @@ class HalfedgeCollapseT {
 
   /// `kept` takes the place of the other half-edge of `vanishing`, after the face that both are in.
   void replace(HalfedgeHandle kept, HalfedgeHandle vanishing);
-  void point_to(VertexHandle v, HalfedgeHandle h) {
-    const bool was_boundary = is_boundary(v);
-    mesh_.set_halfedge_handle(v, h);
-    if (was_boundary) mesh_.adjust_outgoing_halfedge(v);
-  }
+  void point_to(VertexHandle v, HalfedgeHandle h, HalfedgeHandle open);
 
   Mesh& mesh_;
   std::vector<std::uint32_t> mark_;
@@ -174,6 +171,16 @@ void HalfedgeCollapseT<Mesh>::replace(HalfedgeHandle kept, HalfedgeHandle vanish
   mesh_.status(outer).set_deleted(true);
 }
 
+/// Makes a vertex point to `h`, or on the boundary to the first open half-edge from there on. Of a hub `open` will do,
+/// which is the same where all its faces are one fan.
+template <typename Mesh>
+void HalfedgeCollapseT<Mesh>::point_to(VertexHandle v, HalfedgeHandle h, HalfedgeHandle open) {
+  if (!is_boundary(v)) return mesh_.set_halfedge_handle(v, h);
+  HalfedgeHandle first = h;
+  for (std::size_t n = 1; !is_open(first) && n < kMany; ++n) first = rotated(first);
+  mesh_.set_halfedge_handle(v, is_open(first) ? first : open);
+}
+
 template <typename Mesh>
 void HalfedgeCollapseT<Mesh>::collapse(HalfedgeHandle h) {
   const HalfedgeHandle o = opposite(h), hn = next(h), on = next(o);
@@ -196,9 +203,10 @@ void HalfedgeCollapseT<Mesh>::collapse(HalfedgeHandle h) {
 
   if (left) replace(hn, hp);
   if (right) replace(op, on);
-  if (left) point_to(mesh_.to_vertex_handle(hn), opposite(hn));
-  if (right) point_to(mesh_.to_vertex_handle(opposite(op)), op);
-  point_to(v1, right ? opposite(op) : hn);
+  const auto now = [&](VertexHandle v) { return mesh_.halfedge_handle(v); };
+  if (left) point_to(mesh_.to_vertex_handle(hn), opposite(hn), now(mesh_.to_vertex_handle(hn)));
+  if (right) point_to(mesh_.to_vertex_handle(opposite(op)), op, now(mesh_.to_vertex_handle(opposite(op))));
+  point_to(v1, right ? opposite(op) : hn, right ? now(v1) : on);
 }
 
 }  // namespace whittle::detail
