@@ -203,3 +203,17 @@ TEST_CASE("mq's bound looks at the middle, near each corner, and between the fir
     CHECK_FALSE(beyond(0.49f));
   }
 }
+
+TEST_CASE("mq's bound allows just its distance") {
+  const std::vector<Vector3f> points{{0, 0, 0.25f}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
+  Crew alone(1);
+  for (const float distance : {0.25f, 0.2499f}) {
+    Bound bound(points, Rings({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}, 4, false, alone),
+                std::vector<float>(4, distance), 3);
+    bound.put(0, 0);
+    Bound::Change change;
+    change.faces = {0, 1, 2};
+    change.triangles = {{0, points[1], points[2], points[3]}};
+    CHECK(bound.allows(change) == (distance == 0.25f));
+  }
+}

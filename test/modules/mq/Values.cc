@@ -220,3 +220,15 @@ TEST_CASE("mq refuses values of another size than the mesh") {
   options.extras.values.assign(13 * 9, 0.0f);
   CHECK_THROWS_AS(bulk(down_to(2), meshes::flat_grid(3), options), InvalidParameter);
 }
+
+TEST_CASE("mq knows a value between two vertices where both have it") {
+  const float none = std::nanf("");
+  const mq::Values values({1, 5, 3, none, none, 7}, 2);
+  const auto both = values.between(0, 1, 0.25f), one = values.between(2, 0, 0.5f);
+  CHECK(both[0] == 1.5f);
+  CHECK(both[2] == 1);
+  CHECK(both[3] == 0);
+  CHECK(one[2] == 0);
+  CHECK(one[1] == 6);
+  CHECK(one[3] == 1);
+}

@@ -195,3 +195,19 @@ TEST_CASE("mq's bound is as strict as the tolerance of the vertices that it conc
   CHECK(lifted(40, 39, 0.04) == Verdict::legal);
   CHECK(lifted(40, 39, 0.12) == Verdict::breaks_bound);
 }
+
+TEST_CASE("mq's marks count at either end of an edge") {
+  mq::Mesh mesh = built(meshes::flat_grid(5));
+  const Corner c = corner(mesh, 12, 13);
+  mq::Worker worker = worker_of(mesh);
+  const std::uint32_t since = worker.stamp;
+  CHECK_FALSE(mq::is_touched(mesh, c, worker, since));
+  worker.stamp += worker.stride;
+  for (const std::uint32_t v : {12u, 13u, 7u}) {
+    std::uint32_t& mark = mesh.vertices[fixture::vertex(mesh, v)].mark;
+    const std::uint32_t before = mark;
+    mark = worker.stamp;
+    CHECK(mq::is_touched(mesh, c, worker, since) == (v != 7));
+    mark = before;
+  }
+}

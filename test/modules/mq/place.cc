@@ -179,3 +179,19 @@ TEST_CASE("mq takes the terms of the values at each end from that end's faces") 
   CHECK((forth.offset - mesh.edge(corner(mesh, 23, 24))).norm() < 1e-3f);  // the bend stays
   CHECK(back.offset.norm() < 1e-3f);
 }
+
+TEST_CASE("mq's cost is what the planes say where it places an edge, though the volume has moved it there") {
+  mq::Mesh mesh = built(meshes::flat_grid(5));
+  const Corner c = corner(mesh, 12, 13);  // along x
+  const std::uint32_t a = fixture::vertex(mesh, 12), b = fixture::vertex(mesh, 13);
+  const float length = mesh.edge(c).x();
+  const auto along = [](const mq::Vec& axis) { return mq::SymmetricMatrix::outer(axis, 1); };
+  mesh.quadrics[b] = along(mq::Vec::UnitY()) + along(mq::Vec::UnitZ());
+  mesh.quadrics[a] = mesh.quadrics[b] + along(mq::Vec::UnitX());
+  mesh.areas[a].sum = {1, 0, 0};
+  mesh.areas[b].sum = {3, 0, 0};
+  // x x + 2 (4 x - 3) (4 x - 3) in units of the length, as 10 by the trace of both is 2, is least at 24 / 33.
+  const Placement placed = place_one(mesh, c);
+  CHECK(placed.offset.x() / length == Approx(24.0 / 33).epsilon(1e-4));
+  CHECK(placed.cost / (length * length) == Approx(24.0 / 33 * 24 / 33).epsilon(1e-3));
+}

@@ -326,3 +326,18 @@ TEST_CASE("mq's seams after many collapses are those of the wedges that are left
       CHECK(needless <= n / 50);
     }
 }
+
+TEST_CASE("mq: where a slit branches, a branch may go") {
+  const IndexedMesh grid = meshes::flat_grid(5);
+  SurfaceExtras extras = with_slit(grid);  // and another branch from 12 to 13
+  for (std::size_t f = 0; f < grid.triangles.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& t = grid.triangles[f];
+      const double height = (grid.points[t[0]].y() + grid.points[t[1]].y() + grid.points[t[2]].y()) / 3;
+      if (extras.wedges[f][k] == 112 && height > 2) extras.wedges[f][k] = 212;
+    }
+  const mq::Mesh mesh = built(grid, extras);
+  REQUIRE(all_seams(mesh) == 3);
+  for (const std::uint32_t end : {7u, 17u, 13u}) CHECK_FALSE(mq::closes_slit(mesh, corner(mesh, 12, end)));
+  CHECK(mq::closes_slit(built(grid, with_slit(grid)), corner(built(grid, with_slit(grid)), 12, 7)));
+}

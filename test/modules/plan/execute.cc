@@ -90,3 +90,17 @@ TEST_CASE("a survivor that its whole cluster leaves in place does not move for a
   plan.collapses = {{6, 5, 2, 1, mesh.points[5]}, {10, 5, 2, 0, mesh.points[5]}};
   for (const std::size_t n : {1u, 2u}) CHECK(execute(plan, mesh, n).mesh.points[5] == mesh.points[5]);
 }
+
+TEST_CASE("a cluster that is cut begins where the last one before it has left its survivor") {
+  const IndexedMesh mesh = [] {
+    IndexedMesh points;
+    for (int i = 0; i < 6; ++i) points.points.emplace_back(i, 0, 0);
+    return points;
+  }();
+  CollapsePlan plan;
+  plan.collapses = {
+      {1, 0, 0, 0, {5, 5, 5}}, {2, 0, 0, 0, {7, 1, 0}}, {3, 0, 0, 1, {9, 9, 9}}, {4, 0, 0, 0, {9, 9, 9}}};
+  CHECK(execute(plan, mesh, 3).mesh.points[0] ==
+        Eigen::Vector3d(5, 0.5, 0));  // between (7, 1, 0) and (3, 0, 0)
+  CHECK(execute(plan, mesh).mesh.points[0] == Eigen::Vector3d(9, 9, 9));
+}

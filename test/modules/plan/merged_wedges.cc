@@ -129,3 +129,13 @@ TEST_CASE("a slit that vertices merge along keeps its sides apart") {
       if (out.left.mesh.triangles[f][k] == out.left.vertex_map[17]) at_middle.insert(out.wedges[f][k]);
   CHECK(at_middle.size() == 2);
 }
+
+TEST_CASE("a chart that vanishes between the boundary and another one leaves that whole") {
+  IndexedMesh mesh;  // 0 to 3 along the boundary, 4 above
+  mesh.points = {{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0.5, 1, 0}};
+  mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}};
+  const MergedCase out = merged(mesh, meshes::wedges_of(mesh, {0, 1, 0}), {{2, 1, 1, 0, {0.5, 0, 0}}});
+  CHECK(out.at(0, 1) == out.at(2, 2));
+  CHECK(out.at(0, 4) == out.at(2, 4));
+  CHECK(charts(out.left.mesh.triangles, out.wedges).count == 1);
+}

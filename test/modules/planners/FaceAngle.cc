@@ -342,3 +342,11 @@ TEST_CASE("FAD's fan of a boundary vertex starts at the better of its two ends")
     CHECK(result.collapses[0].to == better);
   }
 }
+
+TEST_CASE("FAD rates apexes all around a vertex of very many faces") {
+  IndexedMesh disc = meshes::cone(
+      512, 0);  // every second neighbour is rated; the one that is nearer than others is the best
+  disc.points[385] *= 0.9;
+  const CollapsePlan removed = FaceAngle().plan(SurfaceT<double>(disc));
+  CHECK(meshes::merges(removed) == meshes::Merges{{0, 385}});
+}

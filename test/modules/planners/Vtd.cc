@@ -1,5 +1,8 @@
 #include "whittle/planners/Vtd.hh"
 
+#include <algorithm>
+#include <vector>
+
 #include "catch.hh"
 #include "meshes.hh"
 #include "planners/acute.hh"
@@ -294,4 +297,20 @@ TEST_CASE("VTD refuses parameters that mean nothing") {
 TEST_CASE("VTD's threshold scales") {
   CHECK(literal(0.5).scaled(0.5).max_distance == 0.25);
   CHECK(literal(0.5).scaled(0.5).fold == Vtd::Fold::literal);
+}
+
+TEST_CASE("VTD to the letter merges a vertex once") {
+  for (const IndexedMesh& mesh : {meshes::flat_grid(9), meshes::shaken(meshes::torus(12, 9), 0.02, 1)}) {
+    Vtd planner;
+    planner.max_distance = mesh.points.size() == 81 ? 1.2 : 0.3;
+    planner.fold = Vtd::Fold::literal;
+    const CollapsePlan plan = planner.plan(SurfaceT<double>(mesh));
+    REQUIRE(plan.collapses.size() > 10);
+    std::vector<int> clusters(mesh.points.size(), 0);
+    for (const Collapse& c : plan.collapses) {
+      ++clusters[c.from];
+      if (c.rest == 0) ++clusters[c.to];
+    }
+    CHECK(*std::max_element(clusters.begin(), clusters.end()) == 1);
+  }
 }

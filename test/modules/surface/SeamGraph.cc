@@ -104,3 +104,24 @@ TEST_CASE("a surface lets vertices on seams merge along them if it is asked to")
   CHECK(merge(1, 2));
   CHECK_FALSE(surface.may_merge(24, 31, Boundary::merge));
 }
+
+TEST_CASE("an edge where three charts meet is one seam edge") {
+  IndexedMesh book;
+  book.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
+  book.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+  const detail::SeamGraph graph(book.triangles, meshes::wedges_of(book, {0, 1, 2}), 5);
+  CHECK(graph.neighbours(0) == std::vector<std::uint32_t>{1});
+  CHECK(graph.neighbours(1) == std::vector<std::uint32_t>{0});
+}
+
+TEST_CASE("a vertex inside a chart merges with none on a seam that merges along it") {
+  const IndexedMesh grid = meshes::flat_grid(5);
+  SurfaceExtras extras;
+  extras.wedges = meshes::wedges_of(
+      grid, meshes::charts_by_centre(grid, [](const meshes::Point& p) { return p.x() > 2 ? 1u : 0u; }));
+  const SurfaceT<double> surface(grid, extras);
+  CHECK(surface.may_merge(12, 17, Boundary::keep, Seams::merge));
+  CHECK(surface.may_merge(11, 16, Boundary::keep, Seams::merge));
+  CHECK_FALSE(surface.may_merge(11, 12, Boundary::keep, Seams::merge));
+  CHECK_FALSE(surface.may_merge(12, 11, Boundary::keep, Seams::merge));
+}
