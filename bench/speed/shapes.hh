@@ -18,7 +18,7 @@ struct Shape {
   IndexedMesh mesh;
 };
 
-/// About so many faces each: a fan, a bipyramid, a book of pages on one edge, a bouquet of pieces that touch in one
+/// About so many faces each: a fan, one in a plane that is open, a bipyramid, a book of pages on one edge, a bouquet of pieces that touch in one
 /// vertex, faces that coincide, a soup of lone faces, a grid in a plane.
 std::vector<Shape> shapes(std::size_t n_faces);
 
