@@ -91,7 +91,7 @@ auto OrientedBoxes::fitted(std::uint32_t begin, std::uint32_t end) const -> Node
   node.begin = begin;
   node.end = end;
   node.second = 0;
-  const Spread spread(3 * (end - begin), each);
+  const Spread spread(std::size_t{3} * (end - begin), each);
   node.axes = spread.directions().transpose();
   Eigen::AlignedBox3d box;
   each([&](const Eigen::Vector3d& p) { box.extend(Eigen::Vector3d(node.axes * (p - spread.mean))); });
