@@ -14,9 +14,9 @@
 
 namespace whittle::measure {
 
-/// A tree of boxes that are turned to fit what they hold (Gottschalk, Lin and Manocha 1996). Many faces around one vertex
-/// or edge have boxes along the axes that nearly all overlap; turned ones lie beside one another. The surface must
-/// outlive it.
+/// A tree of boxes that are turned to fit what they hold (Gottschalk, Lin and Manocha 1996). Many faces around one
+/// vertex or edge have boxes along the axes that nearly all overlap; turned ones lie beside one another. The surface
+/// must outlive it.
 class OrientedBoxes {
  public:
   /// \param faces  of the surface; at least one

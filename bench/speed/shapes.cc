@@ -166,8 +166,8 @@ double seconds(const IndexedMesh& mesh, const Work& work) {
   return least;
 }
 
-/// What a run gives back stays with the process. Otherwise the system would hand out the pages of the larger arrays anew each
-/// time, which takes longer than most of the work.
+/// What a run gives back stays with the process. Otherwise the system would hand out the pages of the larger arrays
+/// anew each time, which takes longer than most of the work.
 void keep_memory() {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);

@@ -55,8 +55,10 @@ TEST_CASE("mq knows lines where there is a boundary or a feature") {
 }
 
 TEST_CASE("mq's features add their line once to either end") {
-  const mq::Mesh plain = built(meshes::octahedron()), creased = built(meshes::octahedron(), {}, {0.2f, 60, 1});
-  for (std::uint32_t v = 0; v < 6; ++v) {  // four edges of squared length 1/2 each, which hold in two directions
+  const mq::Mesh plain = built(meshes::octahedron()),
+                 creased = built(meshes::octahedron(), {}, {0.2f, 60, 1});
+  for (std::uint32_t v = 0; v < 6;
+       ++v) {  // four edges of squared length 1/2 each, which hold in two directions
     CHECK(creased.quadrics[v].trace() - plain.quadrics[v].trace() == Approx(4 * 2 * 9 * 0.5).epsilon(1e-5));
     CHECK(creased.input[v] == plain.input[v]);
   }

@@ -1,8 +1,6 @@
 #include "whittle/plan/PlanDraft.hh"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <random>
 #include <set>
@@ -339,26 +337,4 @@ TEST_CASE("the flip guard looks at every face of a vertex of very many, again an
     }
     CHECK(bench.draft.merge({0}, {0.1, 0.2, 0}) == Verdict::accepted);
   }
-}
-
-TEST_CASE("a draft moves a vertex of very many faces as far as none of them turns") {
-  constexpr std::uint32_t n = 100;
-  IndexedMesh wheel;  // 0 in the middle of two rings, 1 to 100 and 101 to 200
-  wheel.points.emplace_back(0, 0, 0);
-  for (const double radius : {0.5, 1.0})
-    for (std::uint32_t i = 0; i < n; ++i)
-      wheel.points.emplace_back(radius * std::cos(2 * meshes::kPi * i / n),
-                                radius * std::sin(2 * meshes::kPi * i / n), 0);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t a = 1 + i, b = 1 + (i + 1) % n;
-    wheel.triangles.insert(wheel.triangles.end(), {{0, a, b}, {a, a + n, b + n}, {a, b + n, b}});
-  }
-  const SurfaceT<double> surface(wheel);
-  Draft draft(surface, FlipGuard());
-  CHECK(draft.merge({0, 1}, {-0.6, 0, 0}) == Verdict::refused_by_flip_guard);
-  CHECK(draft.survivor(1) == 1);
-  CHECK(draft.merge({0, 1}, {-0.4, 0, 0}) == Verdict::accepted);
-  const CollapsePlan plan = draft.take();
-  CHECK(meshes::merges(plan) == meshes::Merges{{1, 0}});
-  CHECK(plan.collapses[0].faces == 2);
 }

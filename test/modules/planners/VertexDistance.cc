@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "catch.hh"
-#include "charts.hh"
 #include "meshes.hh"
 #include "whittle/plan/execute.hh"
 
@@ -306,21 +305,4 @@ TEST_CASE("IVDD leaves a boundary edge's vertex in its middle with any placement
   const CollapsePlan folded = plan(planner, roof, flags);
   REQUIRE(folded.collapses.size() == 1);
   CHECK(folded.collapses[0].target == (roof.points[1] + roof.points[2]) / 2);
-}
-
-TEST_CASE("IVDD leaves a seam edge's vertex in its middle with any placement") {
-  const IndexedMesh grid =
-      meshes::grid(5, [](std::uint32_t i, std::uint32_t j) { return 0.3 * i * i + (j == 1 ? 0.4 : 0); });
-  SurfaceExtras extras;
-  extras.wedges = meshes::wedges_of(
-      grid, meshes::charts_by_centre(grid, [](const meshes::Point& p) { return p.x() > 2 ? 1u : 0u; }));
-  extras.flags.assign(25, kLocked);
-  extras.flags[7] = extras.flags[12] = 0;
-  VertexDistance planner = folding(9);
-  planner.placement = VertexDistance::Placement::quadric;
-  planner.seams = Seams::merge;
-  planner.guard.min_cos = -1;
-  const CollapsePlan folded = planner.plan(SurfaceT<double>(grid, extras));
-  REQUIRE(folded.collapses.size() == 1);
-  CHECK(folded.collapses[0].target == (grid.points[7] + grid.points[12]) / 2);
 }
