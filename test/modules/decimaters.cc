@@ -102,7 +102,7 @@ template <typename D>
 constexpr bool is_mixed = std::is_same_v<D, om::MixedDecimaterT<Mesh>>;
 
 Mesh start() {
-  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::shaken(meshes::torus(24, 14), 0.005, 2));
+  Mesh mesh = fixture::to_openmesh<Mesh>(meshes::shaken(meshes::torus(30, 18), 0.005, 2));
   mesh.request_face_normals();
   mesh.update_face_normals();
   mesh.request_vertex_status();

@@ -38,7 +38,7 @@ struct RefitReport {
 
 namespace detail {
 
-/// The flags that hold in a refit what a plan held, and what lies on seams.
+/// The flags that hold in a refit what a plan held, and mark what lies on seams.
 /// \param extras  as the plan had them
 template <typename Real>
 std::vector<std::uint8_t> refit_flags(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras) {
@@ -46,7 +46,11 @@ std::vector<std::uint8_t> refit_flags(const IndexedMeshT<Real>& mesh, const Surf
   flags.resize(mesh.points.size(), 0);
   for (std::size_t v = 0; v < extras.tolerance.size(); ++v)
     if (extras.tolerance[v] == 0) flags[v] |= kLocked;
-  if (extras.wedges.empty()) return flags;
+  if (extras.wedges.empty()) {  // where nothing says how a seam runs, it stays
+    for (std::uint8_t& flag : flags)
+      if ((flag & kSeam) != 0) flag |= kLocked;
+    return flags;
+  }
   const std::vector<bool> on_seam = on_seams(mesh.triangles, extras.wedges, mesh.points.size());
   for (std::size_t v = 0; v < flags.size(); ++v)
     if (on_seam[v]) flags[v] |= kSeam;
