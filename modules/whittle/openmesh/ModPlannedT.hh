@@ -154,9 +154,10 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
     held_ = extras.flags;
     for (std::size_t v = 0; v < held_.size(); ++v) {
       if (!extras.tolerance.empty() && extras.tolerance[v] == 0) held_[v] |= kLocked;
-      if (!attributes_.seams().empty() &&
-          attributes_.seams().is_on_seam(vertex(static_cast<std::uint32_t>(v))))
-        held_[v] |= kSeam;
+      const bool is_on_seam = !attributes_.seams().empty() &&
+                              attributes_.seams().is_on_seam(vertex(static_cast<std::uint32_t>(v)));
+      if ((held_[v] & kSeam) != 0 && !is_on_seam) held_[v] |= kLocked;
+      if (is_on_seam) held_[v] |= kSeam;
     }
     const auto enough = [&](const auto& stages) {
       return stages.n_faces() <= enough_faces_ ||
