@@ -121,10 +121,18 @@ bool keeps_bound(const IndexedMesh& input, const IndexedMesh& mesh, std::optiona
   return true;
 }
 
+/// Where values count, vertices move along their normals only, as on seams: under those that slide along the surface the
+/// texture would slide, too.
+void hold_to_normals(bool values_count, std::vector<std::uint8_t>& flags) {
+  if (!values_count) return;
+  for (std::uint8_t& flag : flags) flag |= kSeam;
+}
+
 /// Refits the result, unless that breaks the bound.
 void refit_result(const Task& task, std::optional<double> bound, Result& result) {
   RefitOptions options;
   options.flags = detail::refit_flags(task.mesh, task.extras);
+  hold_to_normals(task.extras.n_values > 0, options.flags);
   Stopwatch watch;
   IndexedMesh mesh = result.mesh;
   const RefitReport report = refit(task.mesh, mesh, result.vertex_map, result.face_origin, options);
@@ -268,7 +276,9 @@ std::vector<std::uint8_t> held_in_refit(const IndexedMesh& mesh, const Givens& g
   held.flags = givens.flags;
   held.tolerance = givens.tolerance;
   if (givens.attributes) held.wedges = attributes::seam_wedges(*givens.attributes, givens.seams);
-  return detail::refit_flags(mesh, held);
+  std::vector<std::uint8_t> flags = detail::refit_flags(mesh, held);
+  hold_to_normals(givens.attributes && attributes::default_weights(mesh, *givens.attributes).any(), flags);
+  return flags;
 }
 
 Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {

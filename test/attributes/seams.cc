@@ -475,3 +475,28 @@ TEST_CASE("Seams: normals and colours that differ at corners make seams where as
     CHECK(std::abs(after[1] - before[1]) < 1e-4 * before[1]);
   }
 }
+
+TEST_CASE("where texture counts, a refit moves vertices along their normals only") {
+  const IndexedMesh mesh = meshes::shaken(
+      meshes::grid(31, [](auto i, auto j) { return 2 * std::sin(0.3 * i) * std::cos(0.3 * j); }), 0.05, 2);
+  const Attributes given{moved_apart(mesh, std::vector<std::uint32_t>(mesh.triangles.size(), 0))};
+  for (const std::string spec : {"mq", "mq:texture=0"}) {
+    recipe::Recipe recipe = mq_down_to(400, spec);
+    recipe.refit = false;
+    const IndexedMesh plain = run_with(mesh, recipe, given).mesh;
+    recipe.refit = true;
+    const IndexedMesh fitted = run_with(mesh, recipe, given).mesh;
+    REQUIRE(fitted.triangles == plain.triangles);
+    std::vector<Eigen::Vector3d> areas(plain.points.size(), Eigen::Vector3d::Zero());
+    for (const auto& [a, b, c] : plain.triangles)
+      for (const std::uint32_t v : {a, b, c})
+        areas[v] += (plain.points[b] - plain.points[a]).cross(plain.points[c] - plain.points[a]);
+    double least = 1;
+    for (std::size_t v = 0; v < areas.size(); ++v)
+      if (const Eigen::Vector3d move = fitted.points[v] - plain.points[v]; move.norm() > 0)
+        least = std::min(least, std::abs(move.normalized().dot(areas[v].normalized())));
+    INFO(spec);
+    CHECK((least > 0.8) == (spec == "mq"));
+    CHECK(least < 1);
+  }
+}
