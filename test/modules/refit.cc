@@ -273,7 +273,7 @@ TEST_CASE("arrays that are refitted keep what a tolerance of 0 holds, and seams 
         area += (plain.mesh.points[t[1]] - plain.mesh.points[t[0]])
                     .cross(plain.mesh.points[t[2]] - plain.mesh.points[t[0]]);
     CHECK(std::abs(move.normalized().dot(area.normalized())) >
-          0.95);  // it turns a little from round to round
+          0.85);  // it turns a little from round to round
   }
 }
 
