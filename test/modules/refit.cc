@@ -205,7 +205,7 @@ TEST_CASE("a refit leaves finite what has faces without area, no faces, or nothi
 TEST_CASE("a refit refuses maps and flags of another mesh, and no rounds") {
   const IndexedMesh wheel = flat_wheel();
   const ExecutedT<double> good = simplified_wheel(wheel, {0, 0, 0.05});
-  const auto refused = [&](auto change, RefitOptions options = {}) {
+  const auto refused = [&](auto change, const RefitOptions& options = {}) {
     ExecutedT<double> result = good;
     change(result);
     CHECK_THROWS_AS(refit(wheel, result, options), InvalidParameter);
