@@ -64,8 +64,10 @@ std::optional<double> error_ratio(const Results& results, const char* first, con
   constexpr double kRounding = 1e-4, kMoreFaces = 1.02;  // percent
   const Json *const a = results.find(long_name(first, share)), *const b =
                                                                    results.find(long_name(second, share));
-  const auto of_a = error(a, which), of_b = error(b, which);
-  if (!of_a || !of_b) return std::nullopt;
+  const auto of_a = error(a, which);
+  if (!of_a) return std::nullopt;
+  const auto of_b = error(b, which);
+  if (!of_b) return std::nullopt;
   const double faces_a = (*a).at("score").value("faces", 0.0), faces_b = (*b).at("score").value("faces", 0.0);
   if (std::max(faces_a, faces_b) > kMoreFaces * std::min(faces_a, faces_b)) return std::nullopt;
   return std::max(*of_a, kRounding) / std::max(*of_b, kRounding);
