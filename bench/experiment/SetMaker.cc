@@ -27,6 +27,17 @@ const Peer& find_peer(const std::string& name) {
 
 }  // namespace
 
+recipe::Recipe recipe_of(const SetDefinition& definition) {
+  recipe::Recipe recipe;
+  std::string spec = definition.recipe;
+  if (const std::size_t end = spec.find(SetDefinition::kRefitSuffix); end != std::string::npos) {
+    spec.resize(end);
+    recipe.refit = true;
+  }
+  recipe.modules = {recipe::parse_spec(spec)};
+  return recipe;
+}
+
 MadeSet SetMaker::make_anew(const SetDefinition& definition, const std::vector<SetDefinition>& all) {
   if (definition.original()) return {original_, 0, 0};
   if (definition.role == Role::cache) {
@@ -39,14 +50,7 @@ MadeSet SetMaker::make_anew(const SetDefinition& definition, const std::vector<S
     auto result = peer.simplify(original_, std::max<std::size_t>(1, base.mesh.triangles.size()));
     return {std::move(result.mesh), result.milliseconds, 0};
   }
-  recipe::Recipe recipe;
-  std::string spec = definition.recipe;
-  if (const std::size_t end = spec.find(SetDefinition::kRefitSuffix); end != std::string::npos) {
-    spec.resize(end);
-    recipe.refit = true;
-  }
-  recipe.modules = {recipe::parse_spec(spec)};
-  auto result = recipe::run(original_, recipe);
+  auto result = recipe::run(original_, recipe_of(definition));
   const double seconds = result.seconds();
   return {std::move(result.mesh), 1e3 * seconds, result.flipped_faces};
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "recipe/Recipe.hh"
 #include "results/Results.hh"
 #include "whittle/surface/IndexedMesh.hh"
 
@@ -16,6 +17,10 @@ struct MadeSet {
   double milliseconds = 0;        ///< of the simplifier, the fastest of three runs; of one where that is slow
   std::size_t flipped_faces = 0;  ///< turned by more than 90° against their own original; not known of a peer
 };
+
+/// What a set's recipe says; not of the original, a peer's set or a cache set.
+/// \throw recipe::RecipeError  it means nothing
+recipe::Recipe recipe_of(const SetDefinition& definition);
 
 /// Makes the sets of one model, each once. The original must outlive it.
 class SetMaker {

@@ -55,9 +55,8 @@ TEST_CASE("in every experiment names are unique, recipes mean something and comp
       INFO(set.name);
       CHECK((set.compared_with.empty() || names.count(set.compared_with) == 1));
       if (set.role == bench::Role::peer || set.recipe.empty()) continue;
-      recipe::Recipe recipe;
-      recipe.modules = {recipe::parse_spec(set.recipe)};
-      CHECK_NOTHROW(recipe::check(recipe));
+      CHECK_NOTHROW(recipe::check(bench::recipe_of(set)));
+      CHECK(bench::recipe_of(set).refit.has_value() == (set.algorithm.find("refitted") != std::string::npos));
     }
   }
 }
