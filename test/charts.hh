@@ -35,6 +35,11 @@ std::vector<std::uint32_t> charts_by_centre(const IndexedMesh& mesh, Chart chart
   return out;
 }
 
+/// Two charts: of the faces with their centres up to `x` and beyond.
+inline std::vector<std::uint32_t> halves(const IndexedMesh& mesh, double x) {
+  return charts_by_centre(mesh, [x](const Point& p) { return p.x() > x ? 1u : 0u; });
+}
+
 /// Charts of up to `size` faces that grow from faces drawn at random, in the same way for the same seed.
 inline std::vector<std::uint32_t> grown_charts(const IndexedMesh& mesh, std::size_t size, unsigned seed) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> by_edge;

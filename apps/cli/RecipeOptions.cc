@@ -140,9 +140,8 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
       ->expected(1);
   command.add_flag_function(
       "--refit,!--no-refit", [&options](std::int64_t given) { options.refit = given > 0; },
-      "At the end move the vertices to where the faces lie closest to the input, or do not. Default: with "
-      "mq, "
-      "unless the distance is bounded");
+      "At the end move the vertices to where the faces lie closest to the input, or do not. "
+      "Default: with mq, unless the distance is bounded");
   command
       .add_option("--delaunay", options.delaunay,
                   "Retriangulate at the end, by flips of edges no sharper than DEGREES; 20 keeps the shape")

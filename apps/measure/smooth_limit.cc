@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "whittle/surface/constants.hh"
+
 namespace whittle::measure {
 
 double smooth_limit(const IndexedMesh& mesh) {
-  constexpr double kPi = 3.14159265358979323846, kSaddle = 180.0 / 225;
+  constexpr double kSaddle = 180.0 / 225;
   struct Vertex {
     double angles = 0, area = 0;
     std::int64_t turns = 0;  // of its edges: 0 in all where each has a face on both sides
@@ -31,11 +33,11 @@ double smooth_limit(const IndexedMesh& mesh) {
     }
   }
   if (!(area > 0)) return 0;
-  double integral =
-      0;  // of k^(1/3): on a vertex's share of the area k is its share of the curvature over that
+  // Of k^(1/3): on a vertex's share of the area k is its share of the curvature over that.
+  double integral = 0;
   for (const Vertex& vertex : vertices) {
     if (!(vertex.area > 0) || vertex.turns != 0) continue;
-    const double defect = 2 * kPi - vertex.angles;
+    const double defect = 2 * detail::kPi - vertex.angles;
     integral += std::cbrt((defect > 0 ? defect : -kSaddle * defect) * vertex.area * vertex.area);
   }
   return std::pow(integral, 1.5) / std::sqrt(180 * area);

@@ -2,7 +2,7 @@
 # Errors of mq against meshopt_simplify's and CGAL's Lindstrom-Turk's over two sets of models of CGAL's data: those that
 # parameters were chosen on, and those that were only looked at in the end. Packages, models, build, two runs, two pages.
 #   bench/speed/accuracy.sh [options of whittle-speed]
-# Results go to results/speed/accuracy-{chosen-on,looked-at}.{json,md}. It takes about ten minutes on two cores; times in the
+# Results go to results/speed/accuracy-{chosen-on,looked-at}.{json,md}. It takes about three minutes on two cores; times in the
 # pages are of a single round.
 set -euo pipefail
 

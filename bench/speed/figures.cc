@@ -43,13 +43,8 @@ std::string long_name(const char* method, const char* module) {
   return std::string(method) + " " + module;
 }
 
-std::optional<double> mean_error(const Json* result) {
-  if (!result || (*result).at("score").is_null() || (*result).at("score").at("distance").is_null())
-    return std::nullopt;
-  return (*result).at("score").at("distance").at("mean_units").get<double>();
-}
-
-constexpr const char *kRms = "rms_percent_of_diagonal", *kMax = "max_percent_of_diagonal";
+constexpr const char *kMean = "mean_units", *kRms = "rms_percent_of_diagonal",
+                     *kMax = "max_percent_of_diagonal";
 
 std::optional<double> error(const Json* result, const char* which) {
   if (!result || (*result).at("score").is_null() || (*result).at("score").at("distance").is_null())
@@ -62,8 +57,8 @@ std::optional<double> error(const Json* result, const char* which) {
 std::optional<double> error_ratio(const Results& results, const char* first, const char* second,
                                   const char* share, const char* which) {
   constexpr double kRounding = 1e-4, kMoreFaces = 1.02;  // percent
-  const Json *const a = results.find(long_name(first, share)), *const b =
-                                                                   results.find(long_name(second, share));
+  const Json* const a = results.find(long_name(first, share));
+  const Json* const b = results.find(long_name(second, share));
   const auto of_a = error(a, which);
   if (!of_a) return std::nullopt;
   const auto of_b = error(b, which);
@@ -126,8 +121,8 @@ Figure lazy_against_stock(const Results& results, bool assertions) {
     const auto value = results.ratio(stock, lazy);
     if (!value) continue;
     f.ratios.push_back({share, *value, ""});
-    const auto error = mean_error(results.find(lazy)), stock_error = mean_error(results.find(stock));
-    if (error && stock_error && *error > 1.01 * *stock_error)
+    const auto lazy_error = error(results.find(lazy), kMean), stock_error = error(results.find(stock), kMean);
+    if (lazy_error && stock_error && *lazy_error > 1.01 * *stock_error)
       f.ratios.back().remark = "the mean error is more than 1 % larger";
   }
   return f;

@@ -83,10 +83,8 @@ void write_means(std::ostream& out, const Json& suite) {
   const std::vector<MeanRatio> means = mean_ratios(suite);
   if (means.empty()) return;
   out << "## Over all models\n\nThe error as a multiple of the peer's: the geometric mean over so many "
-         "models, then the worst. "
-         "Where their faces differ by more than two percent a model is left out; what is below a millionth "
-         "of the "
-         "diagonal counts as that.\n\n"
+         "models, then the worst. Where their faces differ by more than two percent a model is left out; "
+         "what is below a millionth of the diagonal counts as that.\n\n"
       << "| ours | peer | error | of the faces | models | mean | worst | on "
          "|\n|---|---|---|---|--:|--:|--:|---|\n";
   for (const MeanRatio& mean : means)
@@ -137,9 +135,7 @@ void write_model(std::ostream& out, const Json& run, const Json& suite, const Js
          "RMS / limit: in how many times the least that so many triangles can have, were the model "
          "smooth.\n\n"
       << "| contender | decimation, ms | load | unload | faces | RMS | RMS / limit | mean | max | flipped | "
-         "non-manifold "
-         "edges "
-         "| peak / loaded memory |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+         "non-manifold edges | peak / loaded memory |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Json& result : model.at("results")) {
     out << "| " << text(result.at("name")) << " | " << milliseconds(result.at("seconds")) << " | "
         << median_milliseconds(result.at("load_seconds")) << " | "

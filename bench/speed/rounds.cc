@@ -1,12 +1,12 @@
 #include "speed/rounds.hh"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <random>
 #include <string>
 #include <utility>
 
-#include "measure/MeshFacts.hh"
 #include "measure/smooth_limit.hh"
 #include "peers/precision.hh"
 #include "recipe/Stopwatch.hh"
@@ -88,7 +88,9 @@ std::vector<ModelResults> run_rounds(const Settings& settings, const std::vector
     ModelResults& model = models.emplace_back();
     model.subject = &subject;
     const IndexedMesh mesh = peers::in_double(subject.arrays);
-    if (const double diagonal = measure::facts(mesh).diagonal; diagonal > 0)
+    Eigen::AlignedBox3d box;
+    for (const auto& p : mesh.points) box.extend(p);
+    if (const double diagonal = box.diagonal().norm(); diagonal > 0)
       model.smooth_limit = 100 * measure::smooth_limit(mesh) / diagonal;
     for (Entry& entry : lineup(settings.suite, subject, settings.only))
       model.results.emplace_back().entry = std::move(entry);

@@ -211,8 +211,7 @@ TEST_CASE("no chart comes to lie over another in the texture more than before") 
 
 TEST_CASE("charts that have changed places keep their own values") {
   const IndexedMesh mesh = meshes::flat_grid(13);
-  const auto chart =
-      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 6 ? 1u : 0u; });
+  const auto chart = meshes::halves(mesh, 6);
   const Attributes given{textured(mesh, [&](std::uint32_t f, const meshes::Point& p) {
     return Eigen::Vector2d(p.x() + (chart[f] == 0 ? 6 : -6), p.y());
   })};
@@ -274,8 +273,7 @@ TEST_CASE("values that are equal make no seam, whatever their numbers") {
 
 TEST_CASE("several sets of texture coordinates have their seams each, and all move") {
   const IndexedMesh mesh = meshes::flat_grid(13);
-  const auto by_x =
-      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; });
+  const auto by_x = meshes::halves(mesh, 4);
   const auto by_y =
       meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.y() > 8 ? 1u : 0u; });
   const Attributes given{moved_apart(mesh, by_x), moved_apart(mesh, by_y)};
@@ -313,8 +311,7 @@ TEST_CASE("mq keeps every chart with charts=keep, and all drivers agree where se
 
 TEST_CASE("a module that moves no seams leaves them where they are") {
   const IndexedMesh mesh = meshes::flat_grid(13);
-  const auto chart =
-      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; });
+  const auto chart = meshes::halves(mesh, 4);
   const Attributes given{moved_apart(mesh, chart)};
   const auto result = run_with(mesh, mq_down_to(60, "ss:radius=1.2e"), given);
   CHECK(result.held == 13);
@@ -380,8 +377,7 @@ TEST_CASE("after one stage the next moves the seams that are left") {
 
 TEST_CASE("the texture error of a mesh against itself is nothing, and that of a shift is the shift") {
   const IndexedMesh mesh = meshes::flat_grid(9);
-  const auto chart =
-      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; });
+  const auto chart = meshes::halves(mesh, 4);
   const auto place = [&](double shift) {
     return textured(mesh, [&, shift](std::uint32_t f, const meshes::Point& p) {
       return Eigen::Vector2d(p.x() / 20 + 0.5 * chart[f] + shift, p.y() / 20);
@@ -414,8 +410,7 @@ TEST_CASE("the texture error of a mesh against itself is nothing, and that of a 
 
 TEST_CASE("the texture error leaves out charts that are gone") {
   const IndexedMesh mesh = meshes::flat_grid(9);
-  const auto chart =
-      meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; });
+  const auto chart = meshes::halves(mesh, 4);
   const Attribute texture = textured(mesh, [&](std::uint32_t f, const meshes::Point& p) {
     return Eigen::Vector2d(p.x() / 20 + 0.5 * chart[f], p.y() / 20);
   });

@@ -151,14 +151,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
         extras.tolerance[static_cast<std::size_t>(v.idx())] = mesh.property(tolerance_, v);
     }
     describe(mesh, snapshot.indexed(), extras);
-    held_ = extras.flags;
-    for (std::size_t v = 0; v < held_.size(); ++v) {
-      if (!extras.tolerance.empty() && extras.tolerance[v] == 0) held_[v] |= kLocked;
-      const bool is_on_seam = !attributes_.seams().empty() &&
-                              attributes_.seams().is_on_seam(vertex(static_cast<std::uint32_t>(v)));
-      if ((held_[v] & kSeam) != 0 && !is_on_seam) held_[v] |= kLocked;
-      if (is_on_seam) held_[v] |= kSeam;
-    }
+    const bool with_refit = detail::wants_refit(planner_, wants_refit_);
+    held_ = with_refit ? detail::refit_flags(snapshot.indexed(), extras) : std::vector<std::uint8_t>();
     const auto enough = [&](const auto& stages) {
       return stages.n_faces() <= enough_faces_ ||
              stages.n_vertices() <= enough_vertices_ + snapshot.n_deleted();
@@ -170,7 +164,7 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
         detail::plan_mesh(planner, snapshot.indexed(), std::move(extras), passes_, threads_, enough).plan,
         mesh.n_vertices()};
     n_planned_vertices_ = mesh.n_vertices();
-    if (!detail::wants_refit(planner_, wants_refit_)) snapshot.drop_points();
+    if (!with_refit) snapshot.drop_points();
     snapshot_ = std::move(snapshot);
   }
 
@@ -370,8 +364,8 @@ class ModPlannedT : public OpenMesh::Decimater::ModBaseT<MeshT>, public PlannedM
   std::vector<std::uint8_t> held_;  // what stays in a refit
   RefitReport refit_report_;
   bool has_collapsed_ = false;  // since the last `finish()`
-  std::size_t n_unsampled_ =
-      0;  // the first collapses of the plan whose survivors have yet to take their values
+  // How many of the plan's first collapses have survivors that have yet to take their values.
+  std::size_t n_unsampled_ = 0;
   bool holds_survivor_ = false;  // a seam does, in the collapse that is under way
   std::size_t n_planned_vertices_ = kNoPlan;
 };

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "whittle/plan/execute.hh"
 #include "whittle/refit/refit.hh"
 #include "whittle/surface/IndexedMesh.hh"
 
@@ -31,13 +32,7 @@ RefitReport refit_mesh(Mesh& mesh, const IndexedMeshT<typename Mesh::Scalar>& in
     left.points.emplace_back(p[0], p[1], p[2]);
   }
   for (std::size_t v = 0; v < became.size(); ++v) became[v] = became[index(vertex_map[v])];
-  for (std::uint32_t f = 0; f < input.triangles.size(); ++f) {
-    const auto& [a, b, c] = input.triangles[f];
-    const typename Indexed::Triangle t{became[a], became[b], became[c]};
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-    left.triangles.push_back(t);
-    origin.push_back(f);
-  }
+  append_left(input.triangles, became, left.triangles, origin);
   const std::vector<typename Indexed::Point> before = left.points;
   const RefitReport report = refit(input, left, became, origin, options);
   for (std::size_t v = 0; v < vertices.size(); ++v) {

@@ -117,49 +117,33 @@ const SurfaceT<Real>& StagesT<Real>::surface() {
 
 namespace detail {
 
-template <typename Planner, typename = void>
-struct HasEnd {
-  static bool of(const Planner&) { return true; }
-};
-template <typename Planner>
-struct HasEnd<Planner, std::void_t<decltype(std::declval<const Planner&>().has_end())>> {
-  static bool of(const Planner& planner) { return planner.has_end(); }
-};
+/// What a planner answers to `question`, or `otherwise` if it has no such member.
+/// \tparam Question  a generic lambda whose trailing return type names the member
+template <typename Planner, typename Question>
+bool answer(const Planner& planner, Question question, bool otherwise) {
+  if constexpr (std::is_invocable_v<Question, const Planner&>) return question(planner);
+  return otherwise;
+}
 
 /// Whether a planner stops by itself: one with a threshold does, one that says otherwise by `has_end()` does not.
 template <typename Planner>
 bool has_end(const Planner& planner) {
-  return HasEnd<Planner>::of(planner);
+  return answer(
+      planner, [](const auto& p) -> decltype(p.has_end()) { return p.has_end(); }, true);
 }
-
-template <typename Planner, typename = void>
-struct MovesSeams {
-  static bool by(const Planner&) { return false; }
-};
-template <typename Planner>
-struct MovesSeams<Planner, std::void_t<decltype(std::declval<const Planner&>().moves_seams())>> {
-  static bool by(const Planner& planner) { return planner.moves_seams(); }
-};
 
 /// Whether a planner merges vertices along seams: one that says so by `moves_seams()` does, others hold them.
 template <typename Planner>
 bool moves_seams(const Planner& planner) {
-  return MovesSeams<Planner>::by(planner);
+  return answer(
+      planner, [](const auto& p) -> decltype(p.moves_seams()) { return p.moves_seams(); }, false);
 }
-
-template <typename Planner, typename = void>
-struct Refits {
-  static bool by(const Planner&) { return false; }
-};
-template <typename Planner>
-struct Refits<Planner, std::void_t<decltype(std::declval<const Planner&>().refits())>> {
-  static bool by(const Planner& planner) { return planner.refits(); }
-};
 
 /// Whether what a planner makes of a mesh is refitted to it unless told otherwise: one that says so by `refits()`.
 template <typename Planner>
 bool refits(const Planner& planner) {
-  return Refits<Planner>::by(planner);
+  return answer(
+      planner, [](const auto& p) -> decltype(p.refits()) { return p.refits(); }, false);
 }
 
 /// Whether a planner goes to a target of its own, as MemorylessQuadric.

@@ -44,6 +44,23 @@ typename IndexedMeshT<Real>::Point place_of_last_part(const CollapsePlan& plan,
   return place;
 }
 
+/// The faces that are left where vertices have merged, in their old order, and which face each was. Those that had a vertex
+/// twice before stay.
+/// \param vertex_map  for each old vertex the new one that it became
+template <typename Triangles>
+void append_left(const Triangles& old_triangles, const std::vector<std::uint32_t>& vertex_map,
+                 Triangles& left, std::vector<std::uint32_t>& origin) {
+  for (std::uint32_t f = 0; f < old_triangles.size(); ++f) {
+    const auto& old = old_triangles[f];
+    const typename Triangles::value_type t{vertex_map[old[0]], vertex_map[old[1]], vertex_map[old[2]]};
+    const bool vanished = (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) &&
+                          !(old[0] == old[1] || old[1] == old[2] || old[2] == old[0]);
+    if (vanished) continue;
+    left.push_back(t);
+    origin.push_back(f);
+  }
+}
+
 }  // namespace detail
 
 /// Carries out the first `n_collapses` of a plan, all by default. The plan must have been made for this mesh.
@@ -82,16 +99,7 @@ ExecutedT<Real> execute(const CollapsePlan& plan, const IndexedMeshT<Real>& mesh
     out.mesh.points[out.vertex_map[plan.collapses[n_collapses - 1].to]] =
         detail::place_of_last_part(plan, mesh, n_collapses);
 
-  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    const auto& old = mesh.triangles[f];
-    const typename IndexedMeshT<Real>::Triangle t{out.vertex_map[old[0]], out.vertex_map[old[1]],
-                                                  out.vertex_map[old[2]]};
-    const bool vanished = (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) &&
-                          !(old[0] == old[1] || old[1] == old[2] || old[2] == old[0]);
-    if (vanished) continue;
-    out.mesh.triangles.push_back(t);
-    out.face_origin.push_back(f);
-  }
+  detail::append_left(mesh.triangles, out.vertex_map, out.mesh.triangles, out.face_origin);
   return out;
 }
 

@@ -10,6 +10,7 @@
 
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
+#include "whittle/surface/constants.hh"
 
 namespace whittle::detail {
 
@@ -24,7 +25,7 @@ void lock_boundary(const SurfaceT<Real>& surface, std::vector<std::uint8_t>& fla
 /// area has no normal and makes no feature.
 template <typename Real>
 void lock_features(const SurfaceT<Real>& surface, double degrees, std::vector<std::uint8_t>& flags) {
-  const double least_cos = std::cos(degrees * (3.14159265358979323846 / 180));
+  const double least_cos = std::cos(degrees * (kPi / 180));
   for (std::uint32_t v = 0; v < surface.n_vertices(); ++v) {
     const Ring ring = surface.ring(v);
     const std::size_t n = ring.n_faces();

@@ -16,6 +16,7 @@
 #include "whittle/mq/SymmetricMatrix.hh"
 #include "whittle/refit/Fitted.hh"
 #include "whittle/refit/homes.hh"
+#include "whittle/surface/constants.hh"
 
 namespace whittle::refitting {
 
@@ -102,8 +103,8 @@ inline std::vector<Sum> sums_of(const Original& original, const std::vector<std:
 /// how different they are and mostly lies in 1.1..2.6; rounds with different factors, as those of Chebyshev's iteration,
 /// leave the least error of all of them. The largest comes first.
 inline float step(std::size_t round, std::size_t rounds) {
-  constexpr double kPi = 3.14159265358979323846, kCenter = 0.644, kHalfWidth = 0.268;  // of the reciprocals
-  const double angle = kPi * (2 * static_cast<double>(round) + 1) / (2 * static_cast<double>(rounds));
+  constexpr double kCenter = 0.644, kHalfWidth = 0.268;  // of the reciprocals
+  const double angle = detail::kPi * (2 * static_cast<double>(round) + 1) / (2 * static_cast<double>(rounds));
   return static_cast<float>(1 / (kCenter - kHalfWidth * std::cos(angle)));
 }
 

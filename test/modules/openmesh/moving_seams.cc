@@ -47,10 +47,6 @@ Uv apart(std::uint32_t chart, const SeamMesh::Point& p) {
   return {p[0] + 100.0 * chart, p[1]};
 }
 
-std::vector<std::uint32_t> halves(const IndexedMesh& mesh, double x) {
-  return meshes::charts_by_centre(mesh, [x](const meshes::Point& p) { return p.x() > x ? 1u : 0u; });
-}
-
 DecimateOptions down_to(std::size_t faces) {
   DecimateOptions options;
   options.faces = faces;
@@ -138,7 +134,7 @@ IndexedMesh hilly() {
 
 TEST_CASE("decimate moves a straight seam, and both sides have the coordinates of their place") {
   const IndexedMesh grid = meshes::flat_grid(13);
-  SeamMesh mesh = textured_charts(grid, halves(grid, 6), apart);
+  SeamMesh mesh = textured_charts(grid, meshes::halves(grid, 6), apart);
   const DecimateReport report = decimate(mesh, down_to(12));
   CHECK(report.target_reached);
   CHECK(mesh.n_faces() <= 12);
@@ -153,7 +149,7 @@ TEST_CASE("two charts that have changed places keep their coordinates when seams
   const auto swapped = [](std::uint32_t chart, const SeamMesh::Point& p) {
     return Uv(p[0] + (chart == 0 ? 6 : -6), p[1]);
   };
-  SeamMesh mesh = textured_charts(grid, halves(grid, 6), swapped);
+  SeamMesh mesh = textured_charts(grid, meshes::halves(grid, 6), swapped);
   decimate(mesh, down_to(12));
   CHECK(mesh.n_faces() <= 12);
   for (const auto f : mesh.faces())
@@ -166,7 +162,7 @@ TEST_CASE("two charts that have changed places keep their coordinates when seams
 
 TEST_CASE("seams of one, two and three coordinates move together, and nothing is left on the mesh") {
   const IndexedMesh grid = meshes::flat_grid(13);
-  SeamMesh mesh = textured_charts(grid, halves(grid, 6), apart);
+  SeamMesh mesh = textured_charts(grid, meshes::halves(grid, 6), apart);
   mesh.request_halfedge_texcoords1D();
   mesh.request_halfedge_texcoords3D();
   for (const auto f : mesh.faces())
@@ -330,7 +326,7 @@ TEST_CASE("seams stay in their places where another module forbids a part of the
 TEST_CASE(
     "the papers' modules merge along a straight seam when asked, and both sides keep their coordinates") {
   const IndexedMesh grid = meshes::flat_grid(13);
-  const SeamMesh mesh = textured_charts(grid, halves(grid, 6), apart);
+  const SeamMesh mesh = textured_charts(grid, meshes::halves(grid, 6), apart);
   with_merging_modules<SweepDecimaterT>(mesh, 1, [](const char* name, const SeamMesh& out) {
     INFO(name);
     std::size_t on_seam = 0;

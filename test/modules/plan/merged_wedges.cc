@@ -66,8 +66,7 @@ TEST_CASE("charts are what seams enclose") {
 
 TEST_CASE("corners of vertices that have not merged differ where they differed") {
   const IndexedMesh grid = meshes::flat_grid(3);
-  const Wedges wedges = meshes::wedges_of(
-      grid, meshes::charts_by_centre(grid, [](const meshes::Point& p) { return p.x() > 1 ? 1u : 0u; }));
+  const Wedges wedges = meshes::wedges_of(grid, meshes::halves(grid, 1));
   const MergedCase same = merged(grid, wedges, {});
   for (std::size_t f = 0; f < 8; ++f)
     for (std::size_t g = 0; g < 8; ++g)
@@ -78,8 +77,7 @@ TEST_CASE("corners of vertices that have not merged differ where they differed")
 
 TEST_CASE("vertices that merge along a seam have a wedge on either side") {
   const IndexedMesh grid = meshes::flat_grid(5);
-  const Wedges wedges = meshes::wedges_of(
-      grid, meshes::charts_by_centre(grid, [](const meshes::Point& p) { return p.x() > 2 ? 1u : 0u; }));
+  const Wedges wedges = meshes::wedges_of(grid, meshes::halves(grid, 2));
   const MergedCase out = merged(grid, wedges, {{12, 17, 2, 0, {2, 2.5, 0}}, {11, 17, 2, 0, {2, 2.5, 0}}});
   std::set<std::array<std::uint32_t, 2>> at_merged;  // charts and wedges
   for (std::size_t f = 0; f < out.left.mesh.triangles.size(); ++f)

@@ -99,16 +99,14 @@ TEST_CASE("mq leaves vertices on seams where they are if it does not know how th
   for (std::size_t v = 5; v < mesh.points.size(); v += 12)
     CHECK(held.mesh.points[held.vertex_map[v]] == mesh.points[v]);
 
-  options.extras.wedges = meshes::wedges_of(
-      mesh, meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 5 ? 1u : 0u; }));
+  options.extras.wedges = meshes::wedges_of(mesh, meshes::halves(mesh, 5));
   CHECK(bulk(seam_planner(20), mesh, options).mesh.triangles.size() <= 20);
 }
 
 TEST_CASE("planners that move no seams leave vertices where they are whose wedges differ") {
   const IndexedMesh mesh = meshes::flat_grid(12);
   SurfaceExtras extras;
-  extras.wedges = meshes::wedges_of(
-      mesh, meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 5 ? 1u : 0u; }));
+  extras.wedges = meshes::wedges_of(mesh, meshes::halves(mesh, 5));
   const SurfaceT<double> surface(mesh, extras);
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v)
     CHECK(((surface.flags(v) & kSeam) != 0) == (v % 12 == 5));
@@ -130,8 +128,7 @@ TEST_CASE("SS merges vertices on a seam two by two and halfway, whatever the pla
   for (auto& t : mesh.triangles)
     for (std::uint32_t& v : t) v = v == 0 ? 40 : v == 40 ? 0 : v;
   SurfaceExtras extras;
-  extras.wedges = meshes::wedges_of(
-      mesh, meshes::charts_by_centre(mesh, [](const meshes::Point& p) { return p.x() > 4 ? 1u : 0u; }));
+  extras.wedges = meshes::wedges_of(mesh, meshes::halves(mesh, 4));
   const SurfaceT<double> surface(mesh, extras);
   SphereScan planner;
   planner.radius = 1.2;

@@ -117,8 +117,7 @@ TEST_CASE("an edge where three charts meet is one seam edge") {
 TEST_CASE("a vertex inside a chart merges with none on a seam that merges along it") {
   const IndexedMesh grid = meshes::flat_grid(5);
   SurfaceExtras extras;
-  extras.wedges = meshes::wedges_of(
-      grid, meshes::charts_by_centre(grid, [](const meshes::Point& p) { return p.x() > 2 ? 1u : 0u; }));
+  extras.wedges = meshes::wedges_of(grid, meshes::halves(grid, 2));
   const SurfaceT<double> surface(grid, extras);
   CHECK(surface.may_merge(12, 17, Boundary::keep, Seams::merge));
   CHECK(surface.may_merge(11, 16, Boundary::keep, Seams::merge));
