@@ -10,6 +10,8 @@ std::string to_string(const Attribute& attribute) {
       return "colours";
     case Kind::texture:
       return "texture coordinates";
+    case Kind::skin:
+      return "joints and weights";
     default:
       return "property '" + attribute.name + "'";
   }

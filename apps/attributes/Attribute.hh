@@ -16,17 +16,20 @@ enum class Kind {
   normal,   ///< 3 components, unit length as far as the file keeps to it, zero where it gives none
   colour,   ///< 3 or 4 components, 0..1: red, green, blue, opacity
   texture,  ///< 2 components, as the file counts them; see `downwards`
-  scalar    ///< 1 component, of any meaning, told apart by its name
+  scalar,   ///< 1 component, of any meaning, told apart by its name
+  vector,   ///< 1 to 4 components, of any meaning, told apart by their name; glTF's morph targets
+  skin      ///< pairs of a joint's number and its weight, which is 0 where there is none
 };
 
 /// Values, and which of them each corner of a face has. A vertex whose corners have different values is on a
 /// seam.
 struct Attribute {
   Kind kind = Kind::scalar;
-  std::string name;                            ///< of a scalar, as in the file: "quality"
+  std::string name;                            ///< as in the file: "quality"; of a scene all have one
   std::size_t components = 1;                  ///< of a value
   bool bytes = false;                          ///< colours only: the file has 0..255, so 8 bits say all
   bool downwards = false;                      ///< texture only: v grows downwards, as glTF counts it
+  bool names = false;                          ///< scalars and vectors that name something and do not blend
   std::vector<float> values;                   ///< `components` for each
   std::vector<IndexedMesh::Triangle> corners;  ///< for each face its corners' values; empty: value i is
                                                ///< vertex i's, and there is one for each vertex

@@ -34,6 +34,8 @@ class Sampler {
   Attribute take(std::vector<IndexedMesh::Triangle> corners);
 
  private:
+  void add_skin(std::uint32_t face, const std::array<double, 3>& shares);
+
   const Attribute& in_;
   const IndexedMesh& mesh_;
   Attribute out_;

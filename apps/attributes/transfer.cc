@@ -150,8 +150,10 @@ Attributes transfer(const Attributes& attributes, const Decimation& decimation, 
   return out;
 }
 
-std::vector<Triangle> seam_wedges(const Attributes& attributes, const SeamKinds& kinds) {
+std::vector<Triangle> seam_wedges(const Attributes& attributes, const SeamKinds& kinds,
+                                  const std::vector<std::uint32_t>& areas) {
   std::vector<Triangle> out;
+  for (const std::uint32_t area : areas) out.push_back({area, area, area});
   for (const Attribute& attribute : attributes) {
     if (!makes_seams(attribute, kinds)) continue;
     std::vector<Triangle> corners = with_distinct_values(attribute).corners;
@@ -163,8 +165,10 @@ std::vector<Triangle> seam_wedges(const Attributes& attributes, const SeamKinds&
   return out;
 }
 
-std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attributes& attributes) {
-  if (std::all_of(attributes.begin(), attributes.end(), [](const auto& a) { return a.per_vertex(); }))
+std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attributes& attributes,
+                                          const std::vector<std::uint32_t>& parts) {
+  if (parts.empty() &&
+      std::all_of(attributes.begin(), attributes.end(), [](const auto& a) { return a.per_vertex(); }))
     return {};
   std::map<std::vector<std::uint32_t>, std::uint32_t> known;
   std::vector<IndexedMesh::Triangle> out(mesh.triangles.size());
@@ -172,6 +176,7 @@ std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attribu
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
       key.assign(1, mesh.triangles[f][k]);
+      if (!parts.empty()) key.push_back(parts[f]);
       for (const Attribute& attribute : attributes)
         if (!attribute.per_vertex()) key.push_back(attribute.corners[f][k]);
       out[f][k] = known.emplace(key, static_cast<std::uint32_t>(known.size())).first->second;

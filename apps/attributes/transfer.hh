@@ -35,13 +35,17 @@ struct SeamKinds {
 Attributes transfer(const Attributes& attributes, const Decimation& decimation, const SeamKinds& kinds = {});
 
 /// For each corner a number that tells apart what makes seams by its values, of all sets together: wedges as
-/// SurfaceExtras has them. Empty where there is nothing of it at corners.
-std::vector<IndexedMesh::Triangle> seam_wedges(const Attributes& attributes, const SeamKinds& kinds = {});
+/// SurfaceExtras has them. Empty where there is nothing of it at corners, and no area.
+/// \param areas  for each face a number; between faces of different ones there is a seam. Empty: all are of one
+std::vector<IndexedMesh::Triangle> seam_wedges(const Attributes& attributes, const SeamKinds& kinds = {},
+                                               const std::vector<std::uint32_t>& areas = {});
 
 /// For each corner a number that tells apart the sets of values that the corners of a vertex have: two
-/// corners of one vertex have the same number where all attributes agree. Empty where no attribute is of
-/// corners.
-std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attributes& attributes);
+/// corners of one vertex have the same number where all attributes agree, and the parts of their faces. Empty where no
+/// attribute is of corners and there are no parts.
+/// \param parts  for each face the part that it is of, or empty
+std::vector<IndexedMesh::Triangle> wedges(const IndexedMesh& mesh, const Attributes& attributes,
+                                          const std::vector<std::uint32_t>& parts = {});
 
 /// The attributes after edge flips, which leave the vertices but give each corner a wedge that was another's.
 /// \param before, after  wedges of each corner before and after the flips.

@@ -122,22 +122,32 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
                   "A vertex property of the file: 1 is neutral, 2 keeps twice as true, 0 does not matter")
       ->type_name("PROPERTY");
   command
-      .add_option("--drop", options.drop,
-                  "Leave normals, colours or texture out: it is not written and does not count. May be given "
-                  "several times")
+      .add_option(
+          "--drop", options.drop,
+          "Leave normals, colours, texture or materials out: it is not written and does not count. May be "
+          "given several times")
       ->type_name("WHAT")
-      ->check(CLI::IsMember({"normals", "colours", "texture"}))
+      ->check(CLI::IsMember({"normals", "colours", "texture", "materials"}))
       ->take_all()
       ->expected(1);
   command
       .add_option(
           "--seams", options.seams,
-          "Where normals or colours differ at the corners of a vertex, it moves along their border only, "
-          "as along texture's. May be given several times")
+          "Where normals or colours differ at the corners of a vertex, or where groups of faces meet, it "
+          "moves "
+          "along their border only, as along those of texture and materials. May be given several times")
       ->type_name("WHAT")
-      ->check(CLI::IsMember({"normals", "colours"}))
+      ->check(CLI::IsMember({"normals", "colours", "groups"}))
       ->take_all()
       ->expected(1);
+  command.add_flag(
+      "--flatten", options.flatten,
+      "glTF: write one mesh, each as often as the scene shows it, without nodes, animations and what else "
+      "is kept otherwise");
+  command.add_flag(
+      "--copy-materials", options.copy_materials,
+      "Copy libraries of materials and images that are files beside the result, instead of referring to "
+      "them where they are");
   command.add_flag_function(
       "--refit,!--no-refit", [&options](std::int64_t given) { options.refit = given > 0; },
       "At the end move the vertices to where the faces lie closest to the input, or do not. "
@@ -223,14 +233,31 @@ std::vector<std::string> drop_attributes(const RecipeOptions& options, const std
       std::remove_if(all.begin(), all.end(),
                      [&](const auto& attribute) { return has_word(options.drop, word_of(attribute.kind)); }),
       all.end());
-  return files::take_unwritable(all, out, format, [&](const attributes::Attribute& attribute) {
-    const std::string key = word_of(attribute.kind);
-    return !key.empty() && std::any_of(options.modules.begin(), options.modules.end(), [&](const auto& text) {
-      const recipe::Spec module = recipe::parse_spec(text);
-      return recipe::find_module(module.name).find(key) != nullptr &&
-             module.length(key, {1, 1}).value_or(0) > 0;
-    });
-  });
+  if (has_word(options.drop, "materials")) in.parts.drop_materials();
+  std::vector<std::string> left_out;
+  if (in.scene) return left_out;  // glTF holds all that was read of it
+  if (in.parts.has_materials() && !files::holds_materials(out, format)) {
+    in.parts.drop_materials();
+    left_out.push_back("materials");
+  }
+  const std::vector<std::string> unwritable =
+      files::take_unwritable(all, out, format, [&](const attributes::Attribute& attribute) {
+        const std::string key = word_of(attribute.kind);
+        return !key.empty() &&
+               std::any_of(options.modules.begin(), options.modules.end(), [&](const auto& text) {
+                 const recipe::Spec module = recipe::parse_spec(text);
+                 return recipe::find_module(module.name).find(key) != nullptr &&
+                        module.length(key, {1, 1}).value_or(0) > 0;
+               });
+      });
+  left_out.insert(left_out.end(), unwritable.begin(), unwritable.end());
+  return left_out;
+}
+
+void give_parts(const RecipeOptions& options, const files::MeshFile& in, recipe::Givens& givens) {
+  givens.areas = in.parts.areas(has_word(options.seams, "groups"));
+  givens.parts = &in.parts.of_face;
+  givens.diagonal = in.diagonal;
 }
 
 recipe::Givens make_givens(const RecipeOptions& options, const files::MeshFile& in) {

@@ -22,7 +22,7 @@ struct RecipeOptions {
   std::size_t samples = measure::DistanceOptions().samples;
   double weld = 0;
   std::string max_distance, weights, driver = "auto", repair = "report", pieces = "keep";
-  bool force = false;
+  bool force = false, copy_materials = false, flatten = false;
   std::optional<bool> refit;
 };
 
@@ -40,11 +40,16 @@ void read_selections(const RecipeOptions& options, files::Outputs& outputs);
 
 files::ReadOptions read_options(const RecipeOptions& options);
 
-/// Takes out of `in` the attributes that `--drop` names, and those that no file will hold, unless a module weighs them.
+/// Takes out of `in` the attributes and materials that `--drop` names, and those that no file will hold, unless a module
+/// weighs them.
 /// To be called when the givens are made.
 /// \return names of the latter
 std::vector<std::string> drop_attributes(const RecipeOptions& options, const std::string& out,
                                          const files::WriteOptions& format, files::MeshFile& in);
+
+/// Which parts the faces of `in` are of, and between which of them there are seams. To be called when all that is left
+/// out has been taken out.
+void give_parts(const RecipeOptions& options, const files::MeshFile& in, recipe::Givens& givens);
 
 /// What `--lock` and `--weights` set for a mesh, and the attributes of `in`, which must outlive the result.
 /// \throw files::FileError  a selection that cannot be read.

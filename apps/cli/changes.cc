@@ -26,11 +26,10 @@ const Attribute* first_of(const attributes::Attributes& attributes, Kind kind) {
 }
 
 /// In texels of the image where it is known, else of 1,024 by 1,024.
-Json texture_change(const std::string& path, const files::MeshFile& in, const Attribute& before,
-                    const recipe::Result& result, const Attribute& after) {
+Json texture_change(const std::optional<files::ImageSize>& image, const files::MeshFile& in,
+                    const Attribute& before, const recipe::Result& result, const Attribute& after) {
   attributes::TextureErrorOptions options;
   options.samples = kSamples;
-  const std::optional<files::ImageSize> image = files::texture_image_size(path);
   if (image) {
     options.texels = image->width;
     options.texels_high = image->height;
@@ -41,9 +40,9 @@ Json texture_change(const std::string& path, const files::MeshFile& in, const At
           {"image", image ? Json({{"width", image->width}, {"height", image->height}}) : Json(nullptr)}};
 }
 
-Json change_of(const std::string& path, const files::MeshFile& in, const Attribute& before,
-               const recipe::Result& result, const Attribute& after) {
-  if (before.kind == Kind::texture) return texture_change(path, in, before, result, after);
+Json change_of(const std::optional<files::ImageSize>& image, const files::MeshFile& in,
+               const Attribute& before, const recipe::Result& result, const Attribute& after) {
+  if (before.kind == Kind::texture) return texture_change(image, in, before, result, after);
   const auto error = attributes::value_error(in.mesh, before, result.mesh, after, kSamples);
   if (before.kind == Kind::colour) {
     const double scale = 255 / std::sqrt(static_cast<double>(before.components));
@@ -55,14 +54,15 @@ Json change_of(const std::string& path, const files::MeshFile& in, const Attribu
 
 }  // namespace
 
-Json attribute_changes(const std::string& path, const files::MeshFile& in, const recipe::Result& result) {
+Json attribute_changes(const std::optional<files::ImageSize>& image, const files::MeshFile& in,
+                       const recipe::Result& result) {
   Json changes;
   for (const auto& [kind, name] : {std::pair(Kind::texture, "texture"), std::pair(Kind::colour, "colours"),
                                    std::pair(Kind::normal, "normals")}) {
     const Attribute *before = first_of(in.attributes, kind), *after = first_of(result.attributes, kind);
     if (!before || !after) continue;
     try {
-      changes[name] = change_of(path, in, *before, result, *after);
+      changes[name] = change_of(image, in, *before, result, *after);
     } catch (const InvalidMesh&) {
       // No face has an area, in space or in the texture: there is nothing to measure.
     }

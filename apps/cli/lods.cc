@@ -89,7 +89,7 @@ recipe::Recipe recipe_for(const Options& options, std::size_t faces) {
 
 /// mq plans once; the other modules plan each level anew, from the input.
 std::vector<Level> make_levels(const Options& options, const files::MeshFile& in,
-                               const recipe::Givens& givens) {
+                               const std::optional<files::ImageSize>& image, const recipe::Givens& givens) {
   const bool plan_once = options.modules.empty() && options.max_distance.empty() && !options.delaunay &&
                          options.driver == "auto" && options.pieces == "keep" && !options.force;
   std::optional<recipe::Progression> progression;
@@ -108,8 +108,7 @@ std::vector<Level> make_levels(const Options& options, const files::MeshFile& in
     measure::DistanceOptions sampling;
     sampling.samples = options.samples;
     level.distance = measure::distance(in.mesh, level.result.mesh, sampling);
-    if (!options.quiet || !options.json.empty())
-      level.changes = attribute_changes(options.in, in, level.result);
+    if (!options.quiet || !options.json.empty()) level.changes = attribute_changes(image, in, level.result);
     levels.push_back(std::move(level));
   }
   return levels;
@@ -158,13 +157,20 @@ std::string table(const files::MeshFile& in, const std::vector<Level>& levels) {
   return out;
 }
 
+files::Parts parts_of(const files::MeshFile& in, const Level& level) {
+  files::Parts parts = in.parts;
+  parts.of_face = level.result.parts;
+  return parts;
+}
+
 /// \return what the formats could not take.
 files::WriteReport write(const Options& options, const files::MeshFile& in, std::vector<Level>& levels,
                          files::Outputs& outputs) {
   if (is_glb(options.out)) {
-    std::vector<files::Level> all{{in.mesh, in.attributes, 0}};
+    std::vector<files::Level> all{{in.mesh, in.attributes, in.parts, 0}};
     for (Level& level : levels) {
-      all.push_back({level.result.mesh, level.result.attributes, level.distance.two_sided.max});
+      all.push_back(
+          {level.result.mesh, level.result.attributes, parts_of(in, level), level.distance.two_sided.max});
       level.file = options.out;
     }
     files::Encoded one = files::encode_glb_levels(options.out, all);
@@ -175,13 +181,18 @@ files::WriteReport write(const Options& options, const files::MeshFile& in, std:
   format.ascii = options.ascii;
   format.single_precision = in.single_precision;
   format.texture_at_vertices = in.texture_at_vertices;
-  files::Encoded model = files::encode_mesh(file_of(options.out, 0), in.mesh, format, in.attributes);
+  format.copy_materials = options.copy_materials;
+  files::Encoded model =
+      files::encode_mesh(file_of(options.out, 0), in.mesh, format, in.attributes, in.parts);
   outputs.write(role_of(0), std::move(model.bytes));
+  outputs.write_beside(std::move(model.companions));
   for (std::size_t i = 0; i < levels.size(); ++i) {
     levels[i].file = file_of(options.out, i + 1);
     const recipe::Result& result = levels[i].result;
-    outputs.write(role_of(i + 1),
-                  files::encode_mesh(levels[i].file, result.mesh, format, result.attributes).bytes);
+    files::Encoded level =
+        files::encode_mesh(levels[i].file, result.mesh, format, result.attributes, parts_of(in, levels[i]));
+    outputs.write(role_of(i + 1), std::move(level.bytes));
+    outputs.write_beside(std::move(level.companions));
   }
   return std::move(model.report);
 }
@@ -193,9 +204,11 @@ int lods(Options options) {
   add_files(options, outputs);
   files::MeshFile in = files::read_mesh(options.in, read_options(options));
   if (!options.quiet) print_notes(options.in, in.report);
-  const recipe::Givens givens = make_givens(options, in);
+  recipe::Givens givens = make_givens(options, in);
+  const std::optional<files::ImageSize> image = files::texture_image_size(in.parts);
   std::vector<std::string> left_out = drop_attributes(options, options.out, {}, in);
-  std::vector<Level> levels = make_levels(options, in, givens);
+  give_parts(options, in, givens);
+  std::vector<Level> levels = make_levels(options, in, image, givens);
   files::WriteReport written = write(options, in, levels, outputs);
   left_out.insert(left_out.end(), written.left_out.begin(), written.left_out.end());
   written.left_out = std::move(left_out);

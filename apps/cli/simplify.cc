@@ -37,9 +37,10 @@ Json raised_json(const recipe::Result& result) {
           {"vertices_held", attainable.held}};
 }
 
-Json bound_json(const recipe::Recipe& recipe, const IndexedMesh& in, const recipe::Result& result) {
+Json bound_json(const recipe::Recipe& recipe, const files::MeshFile& in, const recipe::Result& result) {
   if (!recipe.max_distance) return nullptr;
-  const recipe::Scale scale = recipe::measure_scale(in);
+  recipe::Scale scale = recipe::measure_scale(in.mesh);
+  if (in.diagonal > 0) scale.diagonal = in.diagonal;
   const double percent = scale.diagonal > 0 ? 100 / scale.diagonal : 0;
   return {{"bound_units", recipe.max_distance->in(scale)},
           {"reached_units", *result.distance},
@@ -74,9 +75,26 @@ Json names(const attributes::Attributes& attributes) {
   return out;
 }
 
+Json names_of(const std::vector<files::Companion>& companions) {
+  Json out = Json::array();
+  for (const files::Companion& companion : companions) out.push_back(companion.path.string());
+  return out;
+}
+
+/// By name, with how many faces each has.
+Json materials_json(const files::Parts& parts) {
+  std::vector<std::size_t> faces(parts.materials.size(), 0);
+  for (const std::uint32_t part : parts.of_face)
+    if (parts.list[part].material != files::Part::none) ++faces[parts.list[part].material];
+  Json out = Json::array();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    out.push_back({{"name", parts.materials[i].name}, {"faces", faces[i]}});
+  return out;
+}
+
 Json describe(const Options& options, const recipe::Recipe& recipe, const files::MeshFile& in,
               const Json& attributes_read, const Json& changes, const recipe::Result& result,
-              const files::WriteReport& written) {
+              const files::WriteReport& written, const Json& companions) {
   Json stages = Json::array();
   for (const recipe::StageResult& stage : result.stages) stages.push_back(to_json(stage));
   return {{"command", "simplify"},
@@ -92,6 +110,8 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
             {"faces", result.mesh.triangles.size()},
             {"vertices_doubled", written.doubled_vertices},
             {"attributes_left_out", written.left_out},
+            {"materials", materials_json(in.parts)},
+            {"files_beside", companions},
             {"reduced", written.reduced}}},
           {"attributes_dropped", options.drop},
           {"attribute_changes", changes},
@@ -111,13 +131,13 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
           {"target_reached", result.target_reached},
           {"target_raised", raised_json(result)},
           {"target_missed_because", missed_because(recipe, in.report, result)},
-          {"max_distance", bound_json(recipe, in.mesh, result)},
+          {"max_distance", bound_json(recipe, in, result)},
           {"flipped_faces", result.flipped_faces},
           {"nonmanifold_faces_dropped", result.refused_faces}};
 }
 
 std::string summary(const Options& options, const files::MeshFile& in, const Json& changes,
-                    const recipe::Result& result) {
+                    const recipe::Result& result, const std::string& materials) {
   const double before = static_cast<double>(in.mesh.triangles.size());
   const double after = static_cast<double>(result.mesh.triangles.size());
   std::string out =
@@ -128,6 +148,7 @@ std::string summary(const Options& options, const files::MeshFile& in, const Jso
   if (result.charts_gone > 0)
     out +=
         text::format("  %zu of %zu charts of the texture have vanished\n", result.charts_gone, result.charts);
+  if (!materials.empty()) out += "  " + text::printable(materials) + "\n";
   if (result.pieces_gone > 0)
     out +=
         text::format("  %zu of %zu pieces have vanished, with %zu faces of the input\n", result.pieces_gone,
@@ -215,29 +236,43 @@ int simplify(const Options& options) {
   outputs.add("--map", options.map);
   outputs.add("--json", options.json);
 
-  files::MeshFile in = files::read_mesh(options.in, read_options(options));
+  files::ReadOptions reading = read_options(options);
+  reading.keep_scene = !options.flatten && files::holds_scenes(options.out, format);
+  files::MeshFile in = files::read_mesh(options.in, reading);
   if (!options.quiet) print_notes(options.in, in.report);
   const Json attributes_read = names(in.attributes);
-  const recipe::Givens givens = make_givens(options, in);
+  recipe::Givens givens = make_givens(options, in);
+  const std::optional<files::ImageSize> image = files::texture_image_size(in.parts);
   std::vector<std::string> left_out = drop_attributes(options, options.out, format, in);
+  give_parts(options, in, givens);
   const recipe::Result result = recipe::run(in.mesh, recipe, {}, givens);
   const bool is_told = !options.quiet || !options.json.empty();
-  const Json changes = is_told ? attribute_changes(options.in, in, result) : Json(nullptr);
+  const Json changes = is_told ? attribute_changes(image, in, result) : Json(nullptr);
 
   format.single_precision = in.single_precision;
   format.texture_at_vertices = in.texture_at_vertices;
-  files::Encoded out = files::encode_mesh(options.out, result.mesh, format, result.attributes);
+  format.copy_materials = options.copy_materials;
+  in.parts.of_face = result.parts;
+  files::Encoded out =
+      in.scene
+          ? files::encode_scene(options.out, in,
+                                {result.mesh, result.attributes, result.parts, result.vertex_map}, format)
+          : files::encode_mesh(options.out, result.mesh, format, result.attributes, in.parts);
   left_out.insert(left_out.end(), out.report.left_out.begin(), out.report.left_out.end());
   out.report.left_out = std::move(left_out);
+  const Json companions = names_of(out.companions);
   outputs.write("OUT", std::move(out.bytes));
+  outputs.write_beside(std::move(out.companions));
   outputs.write("--map", map_text(in, result, out.report));
-  outputs.write("--json",
-                json_text(describe(options, recipe, in, attributes_read, changes, result, out.report)));
+  outputs.write("--json", json_text(describe(options, recipe, in, attributes_read, changes, result,
+                                             out.report, companions)));
   outputs.commit();
   warn(options, result, out.report);
   int code = complain_about_misses(recipe, in, result);
   const bool stdout_is_taken = options.out == "-" || options.map == "-" || options.json == "-";
-  if (!options.quiet && !stdout_is_taken && !print_summary(summary(options, in, changes, result))) code = 1;
+  if (!options.quiet && !stdout_is_taken &&
+      !print_summary(summary(options, in, changes, result, out.report.materials)))
+    code = 1;
   return code;
 }
 

@@ -94,7 +94,8 @@ Json to_json(const files::ReadReport& r) {
           {"vertices_copied", r.copied_vertices},
           {"vertices_dropped", r.dropped_vertices},
           {"attributes_rounded", r.rounded},
-          {"attributes_ignored", r.ignored}};
+          {"attributes_ignored", r.ignored},
+          {"files_not_found", r.not_found}};
 }
 
 }  // namespace whittle::figures

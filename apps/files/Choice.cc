@@ -17,8 +17,10 @@ Place place_of(const Places& places, Kind kind) {
       return places.colour;
     case Kind::texture:
       return places.texture;
-    default:
+    case Kind::scalar:
       return places.scalar;
+    default:
+      return Place::nowhere;
   }
 }
 

@@ -4,10 +4,15 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 #include <sstream>
 
 #include "files/Fault.hh"
+#include "files/beside.hh"
 #include "files/bytes.hh"
+#include "files/formats.hh"
+#include "files/subset.hh"
 
 namespace whittle::files {
 namespace {
@@ -19,7 +24,13 @@ int to_int(std::size_t number) {
   return static_cast<int>(number);
 }
 
-/// glTF wants unit length; what is so within the precision of a file keeps its bits.
+bool is_plain_text(const std::string& name) {
+  return !name.empty() &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isprint(c); });
+}
+
+}  // namespace
+
 void normalize(std::vector<float>& normals) {
   constexpr float tolerance = 1e-3F;
   for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
@@ -29,31 +40,105 @@ void normalize(std::vector<float>& normals) {
   }
 }
 
-bool is_plain_text(const std::string& name) {
-  return !name.empty() &&
-         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isprint(c); });
-}
-
-}  // namespace
-
-int GlbWriter::add(const IndexedMesh& mesh, const attributes::Attributes& attributes) {
-  const Choice choice =
-      choose(attributes, {Place::corners, Place::corners, Place::corners, Place::corners}, report_);
+int GlbWriter::add(const IndexedMesh& mesh, const attributes::Attributes& attributes, const Parts& parts) {
   note_rounding(mesh, report_);
+  if (!has_materials_) add_materials(parts);
   tinygltf::Node node;
   node.name = "mesh";  // a node that says nothing at all is not written as one
   // A mesh must have a part, and a part must have vertices.
-  if (!mesh.points.empty()) node.mesh = add_mesh(mesh, choice);
+  if (!mesh.points.empty()) node.mesh = add_mesh(mesh, attributes, parts);
   model_.nodes.push_back(std::move(node));
   return to_int(model_.nodes.size() - 1);
 }
 
-int GlbWriter::add_mesh(const IndexedMesh& mesh, const Choice& choice) {
+void GlbWriter::add_materials(const Parts& parts) {
+  has_materials_ = true;
+  std::vector<int> texture_of;
+  for (const Image& image : parts.images) {
+    const int source = add_image(image);
+    texture_of.push_back(source < 0 ? -1 : to_int(model_.textures.size()));
+    if (source < 0) continue;
+    tinygltf::Texture texture;
+    texture.source = source;
+    model_.textures.push_back(std::move(texture));
+  }
+  for (const Material& material : parts.materials) {
+    tinygltf::Material out;
+    out.name = material.name;
+    out.pbrMetallicRoughness.baseColorFactor.assign(material.colour.begin(), material.colour.end());
+    out.pbrMetallicRoughness.metallicFactor = 0;  // what other formats know of colours is not of metal
+    if (material.image) out.pbrMetallicRoughness.baseColorTexture.index = texture_of[*material.image];
+    if (material.alpha != Material::Alpha::opaque)
+      out.alphaMode = material.alpha == Material::Alpha::blend ? "BLEND" : "MASK";
+    out.alphaCutoff = material.cutoff;
+    model_.materials.push_back(std::move(out));
+  }
+}
+
+/// \return -1: it cannot be read, or glTF has no images of its kind
+int GlbWriter::add_image(const Image& image) {
+  constexpr std::size_t most = std::size_t{1} << 31;
+  const std::optional<std::string> bytes =
+      image.path.empty() ? std::optional(image.bytes) : bytes_of(image.path, most);
+  const std::string head = bytes ? bytes->substr(0, 4) : std::string();
+  const bool is_png = head == "\x89PNG", is_jpeg = head.substr(0, 3) == "\xff\xd8\xff";
+  if (!is_png && !is_jpeg) {
+    leave_out(report_, "image " + in_quotes(image.name) + (bytes ? ", which is neither PNG nor JPEG" : ""));
+    return -1;
+  }
+  tinygltf::Image out;
+  out.name = std::filesystem::path(image.name).stem().string();
+  out.mimeType = is_png ? "image/png" : "image/jpeg";
+  out.bufferView = begin_view(0, 0);
+  model_.buffers[0].data.insert(model_.buffers[0].data.end(), bytes->begin(), bytes->end());
+  end_view(out.bufferView);
+  model_.images.push_back(std::move(out));
+  return to_int(model_.images.size() - 1);
+}
+
+int GlbWriter::add_mesh(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                        const Parts& parts) {
+  std::map<std::uint32_t, std::vector<std::uint32_t>> faces;  // by material
+  for (std::uint32_t face = 0; face < parts.of_face.size(); ++face)
+    faces[parts.list[parts.of_face[face]].material].push_back(face);
+  const auto set_material = [](tinygltf::Mesh& to, std::uint32_t material) {
+    if (material != Part::none) to.primitives.back().material = static_cast<int>(material);
+  };
+  tinygltf::Mesh result;
+  std::vector<std::uint32_t> first(mesh.points.size(), 0);
+  if (faces.size() <= 1) {
+    first = add_part(mesh, attributes, result);
+    if (!faces.empty()) set_material(result, faces.begin()->first);
+  }
+  std::vector<bool> seen(mesh.points.size(), false);
+  std::uint32_t begin = 0;
+  for (const auto& [material, list] : faces) {
+    if (faces.size() <= 1) break;
+    const FacesAlone alone = faces_alone(mesh, attributes, list);
+    const std::vector<std::uint32_t> part_first = add_part(alone.mesh, alone.attributes, result);
+    set_material(result, material);
+    for (std::uint32_t i = 0; i < alone.vertices.size(); ++i) {
+      if (!seen[alone.vertices[i]])
+        first[alone.vertices[i]] = begin + (part_first.empty() ? i : part_first[i]);
+      seen[alone.vertices[i]] = true;
+    }
+    begin += static_cast<std::uint32_t>(
+        model_.accessors[static_cast<std::size_t>(result.primitives.back().attributes["POSITION"])].count);
+  }
+  if (model_.meshes.empty()) report_.first_vertex = std::move(first);
+  model_.meshes.push_back(std::move(result));
+  return to_int(model_.meshes.size() - 1);
+}
+
+/// \return for each vertex of the mesh the first that stands for it; empty: they are the same
+std::vector<std::uint32_t> GlbWriter::add_part(const IndexedMesh& mesh,
+                                               const attributes::Attributes& attributes, tinygltf::Mesh& to) {
+  const Choice choice =
+      choose(attributes, {Place::corners, Place::corners, Place::corners, Place::corners}, report_);
   std::vector<const Attribute*> all = choice.scalars;
   for (const Attribute* attribute : {choice.normal, choice.colour, choice.texture})
     if (attribute != nullptr) all.push_back(attribute);
   const Split vertices = split(mesh, all);
-  if (model_.meshes.empty()) report_.first_vertex = first_of_each(vertices, mesh);
 
   tinygltf::Primitive part;
   part.mode = mesh.triangles.empty() ? TINYGLTF_MODE_POINTS : TINYGLTF_MODE_TRIANGLES;
@@ -86,10 +171,8 @@ int GlbWriter::add_mesh(const IndexedMesh& mesh, const Choice& choice) {
   }
   if (!mesh.triangles.empty()) part.indices = add_indices(vertices);
 
-  tinygltf::Mesh result;
-  result.primitives.push_back(std::move(part));
-  model_.meshes.push_back(std::move(result));
-  return to_int(model_.meshes.size() - 1);
+  to.primitives.push_back(std::move(part));
+  return first_of_each(vertices, mesh);
 }
 
 /// Of the view that was made last.

@@ -22,9 +22,9 @@ class GlbWriter {
     model_.defaultScene = 0;
   }
 
-  /// Adds a mesh and a node for it.
+  /// Adds a mesh, a part of it for each material, and a node for it.
   /// \return the number of the node
-  int add(const IndexedMesh& mesh, const attributes::Attributes& attributes);
+  int add(const IndexedMesh& mesh, const attributes::Attributes& attributes, const Parts& parts);
 
   tinygltf::Model& model() { return model_; }
 
@@ -34,7 +34,11 @@ class GlbWriter {
  private:
   using Numbers = std::vector<float>;
 
-  int add_mesh(const IndexedMesh& mesh, const Choice& choice);
+  int add_mesh(const IndexedMesh& mesh, const attributes::Attributes& attributes, const Parts& parts);
+  std::vector<std::uint32_t> add_part(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                                      tinygltf::Mesh& to);
+  void add_materials(const Parts& parts);
+  int add_image(const Image& image);
   int add_accessor(int component_type, int type, std::size_t count);
   int begin_view(int target, std::size_t stride);
   void end_view(int view);
@@ -45,6 +49,7 @@ class GlbWriter {
   int add_indices(const Split& vertices);
 
   WriteReport& report_;
+  bool has_materials_ = false;
   tinygltf::Model model_;
 };
 

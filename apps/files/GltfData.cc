@@ -104,6 +104,10 @@ bool GltfData::are_bytes(int accessor) const {
   return at(accessor).componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && at(accessor).normalized;
 }
 
+bool GltfData::are_whole(int accessor) const {
+  return at(accessor).componentType != TINYGLTF_COMPONENT_TYPE_FLOAT && !at(accessor).normalized;
+}
+
 void GltfData::charge(std::size_t count, std::size_t bytes_each) {
   if (count > budget_ / bytes_each) throw Fault("the scene is too many times as large as the file");
   budget_ -= count * bytes_each;
@@ -115,9 +119,11 @@ void GltfData::charge_values(const tinygltf::Accessor& accessor, std::size_t byt
   charge(accessor.count, bytes_each);
 }
 
-GltfData::Run GltfData::run(long long view, std::size_t offset, std::size_t count,
-                            std::size_t value_bytes) const {
-  if (view < 0) return {};
+std::string GltfData::view_bytes(std::size_t view) const {
+  return std::string(view_data(static_cast<long long>(std::min(view, model_.bufferViews.size()))));
+}
+
+std::string_view GltfData::view_data(long long view) const {
   if (static_cast<std::size_t>(view) >= model_.bufferViews.size()) throw Fault("a view that is not there");
   const tinygltf::BufferView& bytes = model_.bufferViews[static_cast<std::size_t>(view)];
   if (bytes.buffer < 0 || static_cast<std::size_t>(bytes.buffer) >= buffers_.size())
@@ -125,8 +131,14 @@ GltfData::Run GltfData::run(long long view, std::size_t offset, std::size_t coun
   const std::string_view buffer = buffers_[static_cast<std::size_t>(bytes.buffer)];
   if (bytes.byteOffset > buffer.size() || bytes.byteLength > buffer.size() - bytes.byteOffset)
     throw Fault("the file is cut off: a view reaches beyond its buffer");
-  const std::string_view data = buffer.substr(bytes.byteOffset, bytes.byteLength);
+  return buffer.substr(bytes.byteOffset, bytes.byteLength);
+}
 
+GltfData::Run GltfData::run(long long view, std::size_t offset, std::size_t count,
+                            std::size_t value_bytes) const {
+  if (view < 0) return {};
+  const std::string_view data = view_data(view);
+  const tinygltf::BufferView& bytes = model_.bufferViews[static_cast<std::size_t>(view)];
   const std::size_t stride = bytes.byteStride == 0 ? value_bytes : bytes.byteStride;
   if (stride < value_bytes) throw Fault("values that lie closer than they are long");
   // The last value need not be followed by its gap.

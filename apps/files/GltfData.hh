@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,12 @@ class GltfData {
   bool are_bytes(int accessor) const;
   /// \}
 
+  /// Whether they are whole numbers that stand for themselves.
+  bool are_whole(int accessor) const;
+
+  /// The bytes of a view, as they are. \throw Fault  it is not there
+  std::string view_bytes(std::size_t view) const;
+
   /// All components one after the other; normalized integers are 0..1 or -1..1.
   std::vector<float> floats(int accessor);
 
@@ -56,6 +63,7 @@ class GltfData {
 
   const tinygltf::Accessor& at(int accessor) const;
   void charge_values(const tinygltf::Accessor& accessor, std::size_t bytes_each);
+  std::string_view view_data(long long view) const;
   Run run(long long view, std::size_t offset, std::size_t count, std::size_t value_bytes) const;
   void replace_sparse(const tinygltf::Accessor& accessor, std::vector<float>& values);
 

@@ -10,11 +10,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "attributes/Attribute.hh"
+#include "files/Parts.hh"
 #include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::files {
@@ -43,6 +46,9 @@ struct ReadOptions {
   /// negative, at most 1 % of the bounding box's diagonal; 0: only at equal coordinates, and with Repair::none not even
   /// those (but in STL and glTF)
   double weld = 0;
+  /// glTF: each mesh of the file once, with all that can be written back into the same scene; else all meshes that the
+  /// scene shows, at their places, as one, with what other formats know of materials
+  bool keep_scene = false;
 };
 
 /// What was in the file that the mesh does not hold as it stood there. Nothing is lost silently: `notes()`.
@@ -68,18 +74,25 @@ struct ReadReport {
   std::size_t copied_vertices = 0;       ///< fix: made where the mesh was cut
   std::size_t dropped_vertices = 0;      ///< fix: not finite, or of no face; left out
 
-  std::vector<std::string> ignored;  ///< what is not read: "groups", "face colours"
+  std::vector<std::string> ignored;  ///< what is not read: "lines", "face colours"
+  /// Files that it names, of materials or images, which are missing, or outside of its folder and so not looked at
+  std::set<std::string> not_found;
   std::vector<std::string> rounded;  ///< attributes with values that a 32-bit float does not hold
 
   /// One short line for each thing above that happened; empty where the mesh is the file as it stands.
   std::vector<std::string> notes() const;
 };
 
+struct Scene;
+
 struct MeshFile {
   IndexedMesh mesh;
-  attributes::Attributes attributes;  ///< at corners only where the corners of a vertex differ
-  bool single_precision = false;      ///< the file holds 32-bit floats, so writing more digits adds nothing
-  bool texture_at_vertices = false;   ///< PLY, OFF: a vertex for each texture coordinate along seams
+  attributes::Attributes attributes;   ///< at corners only where the corners of a vertex differ
+  Parts parts;                         ///< which faces belong together, and their materials
+  std::shared_ptr<const Scene> scene;  ///< glTF: where the mesh comes from, if that is asked for
+  double diagonal = 0;  ///< of all that the scene shows, model units; 0: the mesh is all that there is
+  bool single_precision = false;     ///< the file holds 32-bit floats, so writing more digits adds nothing
+  bool texture_at_vertices = false;  ///< PLY, OFF: a vertex for each texture coordinate along seams
   /// For each vertex of the file (STL: of those that were joined) the mesh's; `left_out`: it is in no face and was left
   /// out by Repair::fix. Empty: they are the same
   std::vector<std::uint32_t> vertex_of;
@@ -104,6 +117,8 @@ struct WriteOptions {
   std::string format = {};        ///< "ply", "glb", …: instead of what the extension says
   /// PLY: a vertex for each texture coordinate along seams instead of a list at each face
   bool texture_at_vertices = false;
+  /// Libraries of materials and images that are files: copied beside the result, instead of referred to where they are
+  bool copy_materials = false;
 };
 
 /// Takes away what the file will not hold, before it constrains anything: attributes of a kind that the format does not
@@ -115,10 +130,16 @@ std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
                                          const std::filesystem::path& path, const WriteOptions& options,
                                          const std::function<bool(const attributes::Attribute&)>& keeps);
 
+/// Whether a file of this name can say what its faces are made of.
+/// \throw FileError  unknown format
+bool holds_materials(const std::filesystem::path& path, const WriteOptions& options = {});
+
 /// What a file could not take.
 struct WriteReport {
   std::vector<std::string> left_out;  ///< "colours", "property 'quality'"
   std::vector<std::string> reduced;   ///< lines: "coordinates rounded to 32-bit floats"
+  /// What became of the materials, a line: "materials in two.mtl"; empty: there are none
+  std::string materials;
   std::size_t doubled_vertices = 0;  ///< OBJ, PLY, OFF: written again for values that differ at their corners
   /// For each vertex of the mesh the first of the file that stands for it; empty: they are the same
   std::vector<std::uint32_t> first_vertex;
@@ -127,28 +148,61 @@ struct WriteReport {
   std::vector<std::string> notes() const;
 };
 
-/// A mesh as the bytes of a file, and what that file could not take.
+/// A file that belongs beside a mesh's file: a library of materials, an image, a buffer.
+struct Companion {
+  std::filesystem::path path;
+  std::string bytes;
+  /// The file that it is called after, if it is: where an old one of that is there and names an old companion, the new one
+  /// takes its place
+  std::filesystem::path owner = {};
+};
+
+/// A mesh as the bytes of a file, what that file could not take, and what belongs beside it.
 struct Encoded {
   std::string bytes;
   WriteReport report;
+  std::vector<Companion> companions;
 };
 
 /// The bytes that write_mesh would write, for a run that writes several files (Outputs).
 /// \throw FileError  unknown format, or a mesh that no reader would take back
 Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
-                    const WriteOptions& options = {}, const attributes::Attributes& attributes = {});
+                    const WriteOptions& options = {}, const attributes::Attributes& attributes = {},
+                    const Parts& parts = {});
 
 /// Writes a mesh whole or not at all: beside the target, flushed, then renamed.
 /// \param path  "-" is standard output, for which options.format must be set; it is written as it is, without
 ///              the guarantee
+/// What belongs beside it appears together with it; a file that is there already is not replaced, and must be the same.
 /// \throw FileError  unknown format, folder missing or not writable, disk full.
 WriteReport write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
-                       const WriteOptions& options = {}, const attributes::Attributes& attributes = {});
+                       const WriteOptions& options = {}, const attributes::Attributes& attributes = {},
+                       const Parts& parts = {});
+
+/// What a decimation has made of the mesh of a scene.
+struct SceneResult {
+  const IndexedMesh& mesh;
+  const attributes::Attributes& attributes;
+  const std::vector<std::uint32_t>& parts;       ///< for each face the part that it is of
+  const std::vector<std::uint32_t>& vertex_map;  ///< for each vertex of the input the one that it became
+};
+
+/// Whether a file is glTF by its name, so that a scene can be written back into it.
+/// \throw FileError  unknown format
+bool holds_scenes(const std::filesystem::path& path, const WriteOptions& options = {});
+
+/// The scene that a mesh was read from, with the triangles of a result. All the rest of it stays: nodes, materials,
+/// images, animations, extensions.
+/// \param in  as it was read with ReadOptions::keep_scene
+/// \throw FileError
+Encoded encode_scene(const std::filesystem::path& path, const MeshFile& in, const SceneResult& result,
+                     const WriteOptions& options = {});
 
 /// One level of detail.
 struct Level {
   IndexedMesh mesh;
   attributes::Attributes attributes = {};
+  Parts parts = {};
   double error = 0;  ///< how far it lies from the first level, in model units
 };
 

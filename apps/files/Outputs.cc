@@ -7,10 +7,26 @@
 #include <utility>
 
 #include "files/Fault.hh"
+#include "files/beside.hh"
+#include "files/gltf_uri.hh"
 
 namespace whittle::files {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether the old file that this one is called after names the old companion.
+bool belongs(const Companion& companion) {
+  constexpr std::size_t most = std::size_t{1} << 28;  // bytes
+  if (companion.owner.empty()) return false;
+  const auto owner = bytes_of(companion.owner, most);
+  const std::string name = companion.path.filename().string();
+  return owner &&
+         (owner->find(name) != std::string::npos || owner->find(encode_percents(name)) != std::string::npos);
+}
+
+}  // namespace
 
 void Outputs::reads(const std::string& role, const fs::path& path) {
   inputs_.push_back({role, path, identity_of(path, STDIN_FILENO)});
@@ -50,6 +66,22 @@ void Outputs::write(const std::string& role, std::string bytes) {
     else
       files_.emplace_back(output->path, target, bytes);
   });
+}
+
+void Outputs::write_beside(std::vector<Companion> companions) {
+  for (Companion& companion : companions) {
+    std::error_code error;
+    if (has(companion.path.string())) continue;  // of another output: the same one
+    const bool is_there = fs::exists(fs::symlink_status(companion.path, error));
+    if (is_there && bytes_of(companion.path, companion.bytes.size()) == companion.bytes) continue;
+    if (is_there && !belongs(companion))
+      throw FileError(companion.path.string() +
+                      ": would be written beside the result, but another file of this name is there; "
+                      "move it away, or write to another folder");
+    const std::string role = companion.path.string();
+    add(role, companion.path);
+    write(role, std::move(companion.bytes));
+  }
 }
 
 void Outputs::put_files() {

@@ -34,6 +34,11 @@ class Outputs {
   /// \throw FileError  disk full, …: nothing will appear
   void write(const std::string& role, std::string bytes);
 
+  /// Files that belong beside an output, which the caller has not named: one that is there already must be the same, or
+  /// belong to the old file that the output replaces.
+  /// \throw FileError  another file of its name is there
+  void write_beside(std::vector<Companion> companions);
+
   /// Makes all appear that has been written.
   /// \throw FileError  nothing has appeared, except on streams, and where the file system cannot exchange files
   ///                   what took its place before the failure

@@ -117,6 +117,16 @@ std::uint64_t TextReader::count() {
   return parse_count(required_word("a count"));
 }
 
+std::string_view TextReader::rest_of_line() {
+  line_is_fresh_ = false;
+  const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
+  std::string_view text = bytes_.substr(at_, end - at_);
+  at_ = end;
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
 std::string_view TextReader::rest() {
   leave_line();
   return bytes_.substr(at_);

@@ -38,6 +38,9 @@ class TextReader {
   std::uint64_t count();
   /// \}
 
+  /// All that is left of the line as it stands, comments included, without the blanks at its ends.
+  std::string_view rest_of_line();
+
   /// What follows the current line.
   std::string_view rest();
 

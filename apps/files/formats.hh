@@ -16,6 +16,16 @@ enum class Format { obj, off, ply, stl, om, glb, gltf };
 /// \throw Fault  it names none
 Format format_of_extension(const std::string& extension);
 
+/// The format in which a file of this name is written.
+/// \throw Fault  unknown
+Format format_to_write(const std::filesystem::path& path, const WriteOptions& options);
+
+/// What the file of a .gltf's data is called.
+std::string data_file_name(const std::filesystem::path& gltf);
+
+/// glTF wants normals of unit length; what is so within the precision of a file keeps its bits.
+void normalize(std::vector<float>& normals);
+
 /// The format that the content names without doubt.
 /// \return false if it names none
 bool format_of_content(std::string_view bytes, Format& format);
@@ -24,8 +34,9 @@ bool format_of_content(std::string_view bytes, Format& format);
 /// \throw Fault  it is like none
 Format likely_format(std::string_view bytes);
 
-/// Reads and repairs. Keeps `line` at the line it is on, for the error message; 0 where the file is not text.
-MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line);
+/// Reads and repairs. What the file names besides itself is looked for beside `path`. Keeps `line` at the line it is on, for the error message; 0 where the file is not text.
+MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line,
+               const std::filesystem::path& path = "-");
 
 /// The readers; what is left to do behind them is repair().
 /// \{
@@ -34,8 +45,9 @@ MeshFile read_off(std::string_view bytes, const ReadOptions& options, std::size_
 MeshFile read_ply(std::string_view bytes, const ReadOptions& options, std::size_t& line);
 MeshFile read_stl(std::string_view bytes, const ReadOptions& options, std::size_t& line);
 MeshFile read_om(std::string_view bytes, const ReadOptions& options);
-MeshFile read_glb(std::string_view bytes, const ReadOptions& options);   ///< the binary container
-MeshFile read_gltf(std::string_view bytes, const ReadOptions& options);  ///< JSON with all data inside
+/// The binary container, and JSON. \param path  of the file, in whose folder there may be data
+MeshFile read_glb(std::string_view bytes, const ReadOptions& options, const std::filesystem::path& path);
+MeshFile read_gltf(std::string_view bytes, const ReadOptions& options, const std::filesystem::path& path);
 /// \}
 
 /// True if the content alone says so, whatever the file is called.
@@ -53,13 +65,16 @@ bool may_be_stl(std::string_view bytes);
 /// \}
 
 /// Writes; makes sure first that a reader will take it back.
+/// \param libraries  that an OBJ file is to name
 std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                       const WriteOptions& options, Format format, WriteReport& report);
+                       const WriteOptions& options, Format format, WriteReport& report,
+                       const Parts& parts = {}, const std::vector<std::string>& libraries = {});
 
 /// The writers. They are given indices in range, values that fit the mesh and are finite but for scalars.
 /// \{
 std::string obj_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                      const WriteOptions& options, WriteReport& report);
+                      const WriteOptions& options, const Parts& parts,
+                      const std::vector<std::string>& libraries, WriteReport& report);
 std::string off_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
                       const WriteOptions& options, WriteReport& report);
 std::string ply_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
@@ -73,6 +88,7 @@ std::string om_bytes(const IndexedMesh& mesh, const attributes::Attributes& attr
 struct LevelView {
   const IndexedMesh* mesh;
   const attributes::Attributes* attributes;
+  const Parts* parts;
   double error;
 };
 

@@ -65,7 +65,7 @@ std::string glb_bytes(const std::vector<LevelView>& levels, WriteReport& report)
   GlbWriter writer(report);
   for (const LevelView& level : levels) {
     if (!std::isfinite(level.error)) throw Fault("not written: an error that is not finite");
-    writer.add(*level.mesh, *level.attributes);
+    writer.add(*level.mesh, *level.attributes, *level.parts);
   }
   writer.model().scenes[0].nodes = {0};
   if (levels.size() > 1) connect_levels(writer.model(), levels);

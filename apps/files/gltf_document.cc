@@ -35,22 +35,22 @@ void check_depth(std::string_view json) {
 
 struct Section {
   std::string_view key;
-  const char* meaning;  ///< null: read, or of no interest
+  const char* meaning;  ///< where it is not read; null: read, or of no interest
 };
 
 constexpr Section sections[] = {
-    {"asset", nullptr},         {"scene", nullptr},           {"scenes", nullptr},
-    {"nodes", nullptr},         {"meshes", nullptr},          {"accessors", nullptr},
-    {"bufferViews", nullptr},   {"buffers", nullptr},         {"extensionsRequired", nullptr},
-    {"materials", "materials"}, {"textures", "textures"},     {"images", "textures"},
-    {"samplers", "textures"},   {"animations", "animations"}, {"skins", "skins"},
-    {"cameras", "cameras"},     {"extensions", "extensions"}, {"extras", "extras"},
+    {"asset", nullptr},           {"scene", nullptr},    {"scenes", nullptr},
+    {"nodes", nullptr},           {"meshes", nullptr},   {"accessors", nullptr},
+    {"bufferViews", nullptr},     {"buffers", nullptr},  {"extensionsRequired", nullptr},
+    {"materials", nullptr},       {"textures", nullptr}, {"images", nullptr},
+    {"animations", "animations"}, {"skins", "skins"},    {"cameras", "cameras"},
+    {"extensions", "extensions"}, {"extras", "extras"},
 };
 
 /// Lets through only what is read, so that nothing else takes memory.
 class Filter {
  public:
-  explicit Filter(MeshBuilder& builder) : builder_(builder) {}
+  Filter(bool keeps_scene, MeshBuilder& builder) : keeps_scene_(keeps_scene), builder_(builder) {}
 
   bool operator()(int depth, const std::string& key) { return depth == 1 ? enter(key) : is_read(key); }
 
@@ -59,25 +59,28 @@ class Filter {
     section_ = key;
     for (const Section& section : sections) {
       if (section.key != key) continue;
-      if (section.meaning != nullptr) builder_.ignore(section.meaning);
+      if (section.meaning != nullptr && !keeps_scene_) builder_.ignore(section.meaning);
       return section.meaning == nullptr;
     }
     return false;
   }
 
   bool is_read(const std::string& key) {
-    if (section_ == "meshes" && key == "targets") builder_.ignore("morph targets");
-    if (key == "extensions") return section_ == "nodes";
-    return key != "extras" && key != "name" && key != "targets" && key != "weights" && key != "material";
+    if (section_ == "meshes" && key == "targets" && !keeps_scene_) builder_.ignore("morph targets");
+    if (key == "extensions") return section_ == "nodes" || section_ == "materials";
+    if (key == "name") return section_ == "nodes" || section_ == "materials" || section_ == "images";
+    return key != "extras" && (key != "targets" || keeps_scene_) && key != "weights";
   }
 
+  bool keeps_scene_;
   MeshBuilder& builder_;
   std::string section_;
 };
 
-Json parse(std::string_view text, MeshBuilder& builder) {
+template <typename Wanted>
+Json parse(std::string_view text, Wanted wanted) {
   check_depth(text);
-  GltfParser parser{Filter(builder)};
+  GltfParser parser{std::move(wanted)};
   try {
     if (Json::sax_parse(text.begin(), text.end(), &parser)) {
       Json json = parser.take();
@@ -155,13 +158,21 @@ std::vector<GltfBuffer> read_buffers(Json& json) {
 
 }  // namespace
 
-GltfDocument parse_gltf(std::string_view text, MeshBuilder& builder) {
-  Json json = parse(text, builder);
+Json whole_gltf(std::string_view text) {
+  Json json = parse(text, [](int, const std::string&) { return true; });
+  for (Json& buffer : gltf_objects(json, "buffers")) buffer.erase("uri");
+  return json;
+}
+
+GltfDocument parse_gltf(std::string_view text, bool keeps_scene, MeshBuilder& builder) {
+  Json json = parse(text, Filter(keeps_scene, builder));
   check_version(json);
   check_extensions(json);
   GltfDocument document;
   document.buffers = read_buffers(json);
-  document.instances = read_gltf_nodes(json, builder);
+  document.instances = read_gltf_nodes(json, keeps_scene, builder);
+  for (const char* key : {"materials", "textures", "images"})
+    document.looks[key] = std::move(gltf_objects(json, key));
 
   Json reduced = {{"asset", {{"version", "2.0"}}}};
   for (const char* key : {"accessors", "bufferViews", "meshes"}) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,8 @@ namespace whittle::files {
 struct GltfInstance {
   std::size_t mesh = 0;
   Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
+  std::string name = {};    ///< of the node
+  bool is_skinned = false;  ///< its own transform does not count then
 };
 
 struct GltfBuffer {
@@ -27,11 +30,15 @@ struct GltfBuffer {
 struct GltfDocument {
   std::string json;  ///< accessors, views and meshes, for tinygltf
   std::vector<GltfBuffer> buffers;
-  std::vector<GltfInstance> instances;  ///< of the scene, in the order of its nodes
+  std::vector<GltfInstance> instances;  ///< of the scene, in the order of its nodes; kept: of all nodes
+  nlohmann::json looks;                 ///< materials, textures and images
 };
 
-/// Notes what is in the document besides.
+/// \param keeps_scene  whether all is to be written back; else what else is in the document is noted
 /// \throw Fault  damaged, not glTF 2, or with extensions that are needed to read it
-GltfDocument parse_gltf(std::string_view json, MeshBuilder& builder);
+GltfDocument parse_gltf(std::string_view json, bool keeps_scene, MeshBuilder& builder);
+
+/// All of a document, but for the data that stand in it. \pre parse_gltf takes it
+nlohmann::json whole_gltf(std::string_view json);
 
 }  // namespace whittle::files

@@ -55,9 +55,15 @@ Matrix4d transform_of(const Json& node) {
   return matrix;
 }
 
+std::string name_of(const Json& node) {
+  const auto name = node.find("name");
+  return name != node.end() && name->is_string() ? name->get<std::string>() : std::string();
+}
+
 class Walk {
  public:
-  Walk(const Json& nodes, std::size_t meshes, MeshBuilder& builder)
+  /// \param builder  for notes; null: nothing is noted
+  Walk(const Json& nodes, std::size_t meshes, MeshBuilder* builder)
       : nodes_(nodes), meshes_(meshes), builder_(builder), seen_(nodes.size(), false) {}
 
   std::vector<GltfInstance> from(const std::vector<std::size_t>& roots) {
@@ -92,8 +98,10 @@ class Walk {
     const Json& node = nodes_[next.node];
     const Matrix4d transform = transforms_[next.parent] * transform_of(node);
     if (const auto mesh = node.find("mesh"); mesh != node.end())
-      instances_.push_back({checked_index(*mesh, meshes_, "mesh"), transform});
-    if (const auto extensions = node.find("extensions"); extensions != node.end()) note(*extensions);
+      instances_.push_back(
+          {checked_index(*mesh, meshes_, "mesh"), transform, name_of(node), node.contains("skin")});
+    if (const auto extensions = node.find("extensions"); extensions != node.end() && builder_)
+      note(*extensions);
     push(index_list(node, "children", nodes_.size()), transform);
   }
 
@@ -102,16 +110,16 @@ class Walk {
     for (const auto& [name, value] : extensions.items()) {
       if (name == "MSFT_lod" && value.is_object()) {
         const std::size_t levels = index_list(value, "ids", nodes_.size()).size();
-        builder_.ignore(std::to_string(levels) + " coarser level" + (levels == 1 ? "" : "s") + " of detail");
+        builder_->ignore(std::to_string(levels) + " coarser level" + (levels == 1 ? "" : "s") + " of detail");
       } else {
-        builder_.ignore("extension " + in_quotes(name));
+        builder_->ignore("extension " + in_quotes(name));
       }
     }
   }
 
   const Json& nodes_;
   std::size_t meshes_;
-  MeshBuilder& builder_;
+  MeshBuilder* builder_;
   std::vector<bool> seen_;
   std::vector<Matrix4d> transforms_;  ///< of the parents
   std::vector<Waiting> waiting_;
@@ -152,11 +160,12 @@ std::size_t gltf_unsigned(const Json& object, const char* key) {
   return checked_index(*number, std::size_t{1} << 52, key);
 }
 
-std::vector<GltfInstance> read_gltf_nodes(Json& document, MeshBuilder& builder) {
+std::vector<GltfInstance> read_gltf_nodes(Json& document, bool keeps_scene, MeshBuilder& builder) {
   const Json& nodes = gltf_objects(document, "nodes");
   const Json& scenes = gltf_objects(document, "scenes");
   const std::size_t meshes = gltf_objects(document, "meshes").size();
-  Walk walk(nodes, meshes, builder);
+  Walk walk(nodes, meshes, keeps_scene ? nullptr : &builder);
+  if (keeps_scene) return walk.from(all_roots(nodes));
   if (scenes.empty()) return nodes.empty() ? every_mesh(meshes) : walk.from(all_roots(nodes));
   const auto scene = document.find("scene");
   const std::size_t shown = scene == document.end() ? 0 : checked_index(*scene, scenes.size(), "scene");

@@ -17,7 +17,8 @@ nlohmann::json& gltf_objects(nlohmann::json& document, const char* key);
 std::size_t gltf_unsigned(const nlohmann::json& object, const char* key);
 
 /// The meshes of the scene with their places; without scenes those of all nodes, without nodes all meshes.
+/// \param keeps_scene  those of all nodes, and nothing is noted
 /// \throw Fault  damaged; a node has two parents or is its own ancestor
-std::vector<GltfInstance> read_gltf_nodes(nlohmann::json& document, MeshBuilder& builder);
+std::vector<GltfInstance> read_gltf_nodes(nlohmann::json& document, bool keeps_scene, MeshBuilder& builder);
 
 }  // namespace whittle::files

@@ -1,15 +1,16 @@
 /// \file
-/// glTF 2.0: reading, from the binary container or from JSON with all data inside.
+/// glTF 2.0: reading, from the binary container or from JSON with its data inside or beside it.
 #include <tiny_gltf.h>
 
 #include <limits>
 
 #include "files/Fault.hh"
 #include "files/GltfScene.hh"
-#include "files/base64.hh"
 #include "files/bytes.hh"
 #include "files/formats.hh"
 #include "files/gltf_document.hh"
+#include "files/gltf_uri.hh"
+#include "files/scene_layout.hh"
 
 namespace whittle::files {
 namespace {
@@ -55,32 +56,30 @@ Container open_container(std::string_view bytes, MeshBuilder& builder) {
   return container;
 }
 
-/// \param uri  `data:` something `;base64,` something
-std::string decode_data_uri(std::string_view uri) {
-  if (uri.substr(0, 5) != "data:")
-    throw Fault("its data are in the file " + in_quotes(uri) + "; glTF is read only with all data inside");
-  const std::size_t comma = uri.find(',');
-  constexpr std::string_view base64 = ";base64";
-  if (comma == std::string_view::npos || comma < base64.size() ||
-      uri.substr(comma - base64.size(), base64.size()) != base64)
-    throw Fault("its data are not in base64");
-  return decode_base64(uri.substr(comma + 1));
-}
-
 /// The bytes of all buffers, in the file or decoded.
 class Buffers {
  public:
-  Buffers(const std::vector<GltfBuffer>& declared, std::string_view binary) {
+  /// \param path  of the document, beside which they may be
+  Buffers(const std::vector<GltfBuffer>& declared, std::string_view binary,
+          const std::filesystem::path& path) {
     decoded_.reserve(declared.size());  // so that none of them moves
     for (const GltfBuffer& buffer : declared) {
       std::string_view bytes = views_.empty() ? binary : std::string_view();
-      if (buffer.has_uri) bytes = decoded_.emplace_back(decode_data_uri(buffer.uri));
+      if (buffer.has_uri)
+        bytes = decoded_.emplace_back(is_data_uri(buffer.uri) ? decode_data_uri(buffer.uri)
+                                                              : read_beside(path, buffer.uri));
       if (buffer.bytes > bytes.size()) throw Fault("the file is cut off: a buffer is longer than its data");
       views_.push_back(bytes.substr(0, buffer.bytes));
     }
   }
 
   const std::vector<std::string_view>& views() const { return views_; }
+
+  std::size_t size() const {
+    std::size_t bytes = 0;
+    for (const std::string_view view : views_) bytes += view.size();
+    return bytes;
+  }
 
  private:
   std::vector<std::string> decoded_;
@@ -102,18 +101,50 @@ tinygltf::Model parse_model(const std::string& json) {
   return model;
 }
 
-void read_document(std::string_view json, std::string_view binary, MeshFile& file, MeshBuilder& builder) {
-  const GltfDocument document = parse_gltf(json, builder);
-  const tinygltf::Model model = parse_model(document.json);
-  const Buffers buffers(document.buffers, binary);
-  GltfData data(model, buffers.views(), json.size() + binary.size());
-  GltfScene scene(file, builder, data);
+/// The scene that the document shows, as one mesh for other formats.
+void read_flat(const GltfDocument& document, const tinygltf::Model& model, GltfData& data,
+               const std::filesystem::path& path, MeshFile& file, MeshBuilder& builder) {
+  GltfScene scene(file, builder, data, nullptr, texture_uses(document.looks));
   for (const GltfInstance& instance : document.instances) {
     if (instance.mesh >= model.meshes.size()) throw Fault("a mesh that is not there");
     for (const tinygltf::Primitive& primitive : model.meshes[instance.mesh].primitives)
-      scene.add(primitive, instance.transform);
+      scene.add(primitive, instance.transform, instance.name);
   }
   scene.finish();
+  read_gltf_materials(document.looks, data, path, file);
+}
+
+/// Each mesh of the document once.
+void read_kept(const GltfDocument& document, const tinygltf::Model& model, GltfData& data,
+               std::shared_ptr<Scene> kept, MeshFile& file, MeshBuilder& builder) {
+  GltfScene scene(file, builder, data, kept.get(), texture_uses(document.looks));
+  for (std::size_t mesh = 0; mesh < model.meshes.size(); ++mesh) {
+    const auto& primitives = model.meshes[mesh].primitives;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      scene.next(mesh, i);
+      scene.add(primitives[i], Eigen::Matrix4d::Identity(), "");
+    }
+  }
+  scene.finish();
+  read_gltf_materials(document.looks, data, kept->path, file, texture_uses(document.looks));
+  tell_looks_apart(*kept, file.parts);
+  arrange(*kept, document.instances, model.meshes.size(), file);
+  file.diagonal = kept->diagonal;
+  file.scene = std::move(kept);
+}
+
+void read_document(std::string_view json, std::string_view binary, const ReadOptions& options,
+                   const std::filesystem::path& path, MeshFile& file, MeshBuilder& builder) {
+  const GltfDocument document = parse_gltf(json, options.keep_scene, builder);
+  const tinygltf::Model model = parse_model(document.json);
+  const Buffers buffers(document.buffers, binary, path);
+  GltfData data(model, buffers.views(), json.size() + buffers.size());
+  if (!options.keep_scene) return read_flat(document, model, data, path, file, builder);
+  auto kept = std::make_shared<Scene>();
+  kept->document = whole_gltf(json);
+  kept->path = path;
+  for (const std::string_view buffer : buffers.views()) kept->buffers.emplace_back(buffer);
+  read_kept(document, model, data, std::move(kept), file, builder);
 }
 
 }  // namespace
@@ -122,20 +153,20 @@ bool is_glb(std::string_view bytes) {
   return bytes.substr(0, magic.size()) == magic;
 }
 
-MeshFile read_glb(std::string_view bytes, const ReadOptions& options) {
+MeshFile read_glb(std::string_view bytes, const ReadOptions& options, const std::filesystem::path& path) {
   MeshFile file;
   file.report.format = "glTF, binary";
   MeshBuilder builder(file, options);
   const Container container = open_container(bytes, builder);
-  read_document(container.json, container.binary, file, builder);
+  read_document(container.json, container.binary, options, path, file, builder);
   return file;
 }
 
-MeshFile read_gltf(std::string_view bytes, const ReadOptions& options) {
+MeshFile read_gltf(std::string_view bytes, const ReadOptions& options, const std::filesystem::path& path) {
   MeshFile file;
   file.report.format = "glTF, JSON";
   MeshBuilder builder(file, options);
-  read_document(bytes, {}, file, builder);
+  read_document(bytes, {}, options, path, file, builder);
   return file;
 }
 

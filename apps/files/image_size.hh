@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string_view>
+
+#include "files/Parts.hh"
 
 namespace whittle::files {
 
@@ -16,9 +17,8 @@ struct ImageSize {
 /// Of a PNG or a JPEG by its first bytes; none if it is neither, or the size is not among them.
 std::optional<ImageSize> image_size(std::string_view bytes);
 
-/// Of the image that gives the first material of a mesh file its colours: inside a GLB or beside it, or what the
-/// material library of an OBJ names. Only images in the file's folder and below are looked at. None where there is no
-/// such image, or the mesh is of another format or comes from standard input.
-std::optional<ImageSize> texture_image_size(const std::filesystem::path& mesh);
+/// Of the first image that gives a material its base colour, times how often a texture coordinate of 1 is across it. None
+/// where there is none, or it is neither PNG nor JPEG.
+std::optional<ImageSize> texture_image_size(const Parts& parts);
 
 }  // namespace whittle::files

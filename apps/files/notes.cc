@@ -75,6 +75,7 @@ std::vector<std::string> ReadReport::notes() const {
             " alone; if neighbours lie near one another, --weld LENGTH joins them");
   notes.add_list("rounded to 32-bit floats: ", rounded);
   notes.add_list("not read: ", ignored);
+  notes.add_list("not found in its folder: ", {not_found.begin(), not_found.end()});
   return notes.take();
 }
 

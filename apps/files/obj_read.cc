@@ -8,6 +8,7 @@
 #include "files/Fault.hh"
 #include "files/MeshBuilder.hh"
 #include "files/ObjIndices.hh"
+#include "files/ObjParts.hh"
 #include "files/TextReader.hh"
 #include "files/formats.hh"
 #include "files/obj_statements.hh"
@@ -49,13 +50,14 @@ class ObjReader {
         read_texture();
       else if (keyword == "vn")
         read_normal();
-      else
+      else if (!parts_.take(keyword, in_))
         builder_.ignore(unread_statement(keyword));
     }
     if (!fixes_) vertex_indices_.check(file_.mesh.points.size(), line_);
     add_colours();
     add_at_corners(texture_, texture_of_, texture_indices_);
     add_at_corners(normals_, normal_of_, normal_indices_);
+    file_.parts = parts_.take_parts();
     drop_faces_without_vertices(file_);
     settle(file_);
     return std::move(file_);
@@ -110,6 +112,7 @@ class ObjReader {
     for (CornerValues* values : {&texture_of_, &normal_of_})
       if (!values->face.empty()) values->face.resize(corners_.size(), no_value);
     builder_.add_face(corners_, {&texture_of_, &normal_of_});
+    parts_.add_faces(file_.mesh.triangles.size());
   }
 
   /// A corner is `v`, `v/t`, `v//n` or `v/t/n`.
@@ -182,6 +185,7 @@ class ObjReader {
   Attribute texture_ = empty_attribute(Kind::texture, 2);
   Attribute normals_ = empty_attribute(Kind::normal, 3);
   CornerValues texture_of_, normal_of_;
+  ObjParts parts_;
   std::vector<float> colours_;  ///< four numbers for each vertex up to the last one with a colour
   std::size_t colour_components_ = 3;
   std::vector<std::uint32_t> corners_;

@@ -14,14 +14,9 @@ struct ObjStatement {
 };
 
 constexpr ObjStatement unread_obj_statements[] = {
-    {"usemtl", "materials"},
-    {"mtllib", "materials"},
-    {"usemap", "materials"},
-    {"maplib", "materials"},
-    {"g", "groups"},
-    {"o", "groups"},
-    {"s", "groups"},
-    {"mg", "groups"},
+    {"usemap", "texture maps"},
+    {"maplib", "texture maps"},
+    {"mg", "merging groups"},
     {"l", "lines"},
     {"p", "points"},
     {"vp", "free-form geometry"},
@@ -58,7 +53,7 @@ inline const char* unread_statement(std::string_view keyword) {
 }
 
 inline bool is_obj_keyword(std::string_view keyword) {
-  for (const std::string_view read : {"v", "vt", "vn", "f"})
+  for (const std::string_view read : {"v", "vt", "vn", "f", "usemtl", "mtllib", "o", "g", "s"})
     if (keyword == read) return true;
   for (const ObjStatement& statement : unread_obj_statements)
     if (statement.keyword == keyword) return true;

@@ -1,8 +1,12 @@
 /// \file
 /// Wavefront OBJ: writing.
+#include <algorithm>
+#include <numeric>
+
 #include "files/Choice.hh"
 #include "files/TextWriter.hh"
 #include "files/formats.hh"
+#include "files/mtl.hh"
 
 namespace whittle::files {
 namespace {
@@ -27,13 +31,43 @@ std::size_t colour_numbers(const Attribute& colour) {
   return 3;
 }
 
+/// The statements that make one part of another; null: there was none before.
+void write_part(TextWriter& out, const Part& part, const Part* before,
+                const std::vector<std::string>& materials) {
+  const Part nothing;
+  const Part& old = before ? *before : nothing;
+  const auto write = [&](const char* keyword, const std::string& now, const std::string& then,
+                         const char* otherwise) {
+    if (now != then) out << keyword << (now.empty() ? otherwise : now) << "\n";
+  };
+  const auto name = [&](const Part& of) {
+    return of.material == Part::none ? std::string() : materials[of.material];
+  };
+  write("o ", part.object, old.object, "default");
+  write("g ", part.group, old.group, "default");
+  write("usemtl ", name(part), name(old), "default");
+  write("s ", part.smoothing, old.smoothing, "off");
+}
+
+/// The faces in the order in which they are written: part after part.
+std::vector<std::uint32_t> by_part(const Parts& parts, std::size_t faces) {
+  std::vector<std::uint32_t> order(faces);
+  std::iota(order.begin(), order.end(), 0U);
+  if (!parts.of_face.empty())
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return parts.of_face[a] < parts.of_face[b]; });
+  return order;
+}
+
 }  // namespace
 
 std::string obj_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                      const WriteOptions& options, WriteReport& report) {
+                      const WriteOptions& options, const Parts& parts,
+                      const std::vector<std::string>& libraries, WriteReport& report) {
   const Choice choice =
       choose(attributes, {Place::corners, Place::vertices, Place::corners, Place::nowhere}, report);
   TextWriter out(options.single_precision);
+  for (const std::string& library : libraries) out << "mtllib " << library << "\n";
   const std::size_t colours = choice.colour ? colour_numbers(*choice.colour) : 0;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     out << "v " << mesh.points[i];
@@ -44,7 +78,12 @@ std::string obj_bytes(const IndexedMesh& mesh, const attributes::Attributes& att
   if (choice.normal) write_normals(out, *choice.normal);
 
   const auto number = [](std::uint32_t index) { return std::uint64_t{index} + 1; };  // OBJ counts from 1
-  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+  const std::vector<std::string> materials = obj_material_names(parts.materials);
+  const Part* now = nullptr;
+  for (const std::uint32_t face : by_part(parts, mesh.triangles.size())) {
+    const Part* part = parts.of_face.empty() ? nullptr : &parts.list[parts.of_face[face]];
+    if (part != now) write_part(out, *part, now, materials);
+    now = part;
     out << "f";
     for (std::size_t k = 0; k < 3; ++k) {
       out << " " << number(mesh.triangles[face][k]);

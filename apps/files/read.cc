@@ -12,6 +12,7 @@
 #include "files/Fault.hh"
 #include "files/formats.hh"
 #include "files/join.hh"
+#include "files/mtl.hh"
 #include "files/repair.hh"
 
 namespace whittle::files {
@@ -48,7 +49,8 @@ std::string read_path(const std::filesystem::path& path) {
   return read_all(file.get());
 }
 
-MeshFile read_format(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line) {
+MeshFile read_format(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line,
+                     const std::filesystem::path& path) {
   switch (format) {
     case Format::obj:
       return read_obj(bytes, options, line);
@@ -61,20 +63,20 @@ MeshFile read_format(std::string_view bytes, Format format, const ReadOptions& o
     case Format::om:
       return read_om(bytes, options);
     case Format::glb:
-      return read_glb(bytes, options);
+      return read_glb(bytes, options, path);
     case Format::gltf:
       break;
   }
-  return read_gltf(bytes, options);
+  return read_gltf(bytes, options, path);
 }
 
 MeshFile read_named(const std::filesystem::path& path, const ReadOptions& options, std::size_t& line) {
   const std::string bytes = read_path(path);
   if (bytes.empty()) throw Fault("the file is empty");
-  if (path == "-") return parse(bytes, likely_format(bytes), options, line);
+  if (path == "-") return parse(bytes, likely_format(bytes), options, line, path);
   Format format{};
   if (!format_of_content(bytes, format)) format = format_of_extension(path.extension().string());
-  return parse(bytes, format, options, line);
+  return parse(bytes, format, options, line, path);
 }
 
 /// Runs an action and turns what it throws into a FileError that names the file and, if it is text, the line.
@@ -94,9 +96,11 @@ auto naming_input(const std::filesystem::path& path, const std::size_t& line, Ac
 
 }  // namespace
 
-MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line) {
-  MeshFile file = read_format(bytes, format, options, line);
+MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line,
+               const std::filesystem::path& path) {
+  MeshFile file = read_format(bytes, format, options, line, path);
   line = 0;
+  if (format == Format::obj) read_libraries(file, path);
   // STL has corners only; glTF doubles every vertex along seams; OM has half-edges, which say what hangs together.
   const bool is_stl = format == Format::stl, is_gltf = format == Format::glb || format == Format::gltf;
   const bool joins =

@@ -31,6 +31,7 @@ std::size_t keep_faces(MeshFile& file, const std::vector<bool>& keep) {
   const std::size_t going = count_unmarked(keep);
   if (going == 0) return 0;
   keep_entries(file.mesh.triangles, keep);
+  if (!file.parts.of_face.empty()) keep_entries(file.parts.of_face, keep);
   for (attributes::Attribute& attribute : file.attributes) {
     if (attribute.per_vertex()) continue;
     keep_entries(attribute.corners, keep);
@@ -76,6 +77,53 @@ void copy_vertices(MeshFile& file, const std::vector<std::uint32_t>& originals) 
       for (std::size_t k = 0; k < attribute.components; ++k)
         attribute.values.push_back(attribute.values[attribute.components * original + k]);
   }
+}
+
+FacesAlone faces_alone(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                       const std::vector<std::uint32_t>& faces) {
+  FacesAlone out;
+  const auto numbers = [&](auto value_of) {
+    std::vector<std::uint32_t> used;
+    for (const std::uint32_t face : faces)
+      for (std::size_t k = 0; k < 3; ++k) used.push_back(value_of(face, k));
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    return used;
+  };
+  const auto number_in = [](const std::vector<std::uint32_t>& used, std::uint32_t value) {
+    return static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), value) - used.begin());
+  };
+  out.vertices = numbers([&](std::uint32_t face, std::size_t k) { return mesh.triangles[face][k]; });
+  for (const std::uint32_t vertex : out.vertices) out.mesh.points.push_back(mesh.points[vertex]);
+  for (const std::uint32_t face : faces) {
+    IndexedMesh::Triangle triangle = mesh.triangles[face];
+    for (std::uint32_t& corner : triangle) corner = number_in(out.vertices, corner);
+    out.mesh.triangles.push_back(triangle);
+  }
+  for (const attributes::Attribute& attribute : attributes) {
+    attributes::Attribute alone;
+    alone.kind = attribute.kind;
+    alone.name = attribute.name;
+    alone.components = attribute.components;
+    alone.bytes = attribute.bytes;
+    alone.downwards = attribute.downwards;
+    alone.names = attribute.names;
+    const std::vector<std::uint32_t> used =
+        attribute.per_vertex()
+            ? out.vertices
+            : numbers([&](std::uint32_t face, std::size_t k) { return attribute.corners[face][k]; });
+    for (const std::uint32_t value : used)
+      alone.values.insert(alone.values.end(), attribute.value(value),
+                          attribute.value(value) + attribute.components);
+    for (const std::uint32_t face : faces) {
+      if (attribute.per_vertex()) break;
+      IndexedMesh::Triangle corners = attribute.corners[face];
+      for (std::uint32_t& corner : corners) corner = number_in(used, corner);
+      alone.corners.push_back(corners);
+    }
+    out.attributes.push_back(std::move(alone));
+  }
+  return out;
 }
 
 void drop_faces_without_vertices(MeshFile& file) {

@@ -20,6 +20,15 @@ std::size_t keep_vertices(MeshFile& file, const std::vector<bool>& keep);
 /// Appends copies of vertices; the file's stay the originals.
 void copy_vertices(MeshFile& file, const std::vector<std::uint32_t>& originals);
 
+/// Some faces as a mesh of their own, with the values that they use.
+struct FacesAlone {
+  IndexedMesh mesh;
+  attributes::Attributes attributes;
+  std::vector<std::uint32_t> vertices;  ///< of the whole mesh, in their order
+};
+FacesAlone faces_alone(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                       const std::vector<std::uint32_t>& faces);
+
 /// Takes out the faces that name a vertex that is not there, and counts them as broken.
 void drop_faces_without_vertices(MeshFile& file);
 

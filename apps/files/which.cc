@@ -32,8 +32,7 @@ std::vector<std::string> readable_extensions() {
 
 std::vector<std::string> writable_extensions() {
   std::vector<std::string> all;
-  for (const ExtensionOf& known : extensions)
-    if (known.format != Format::gltf) all.emplace_back(known.extension);
+  for (const ExtensionOf& known : extensions) all.emplace_back(known.extension);
   return all;
 }
 

@@ -6,7 +6,10 @@
 
 #include "files/Choice.hh"
 #include "files/Fault.hh"
+#include "files/GltfOutput.hh"
+#include "files/Outputs.hh"
 #include "files/formats.hh"
+#include "files/obj_materials.hh"
 #include "files/split.hh"
 
 namespace whittle::files {
@@ -15,13 +18,7 @@ namespace {
 using attributes::Attribute;
 using attributes::Kind;
 
-Format format_for(const std::filesystem::path& path, const WriteOptions& options) {
-  if (options.format.empty() && path == "-") throw Fault("the format of standard output must be named");
-  const Format format =
-      format_of_extension(options.format.empty() ? path.extension().string() : "." + options.format);
-  if (format == Format::gltf) throw Fault(".gltf is only read; glTF is written as .glb");
-  return format;
-}
+constexpr std::size_t kKinds = 6;
 
 /// A value that is not finite would make a file that few programs read. Scalars may say "none" so.
 attributes::Attributes with_finite_values(attributes::Attributes attributes, WriteReport& report) {
@@ -45,14 +42,27 @@ bool all_finite(const attributes::Attributes& attributes) {
   return true;
 }
 
-std::size_t components_of(Kind kind) {
-  return kind == Kind::normal ? 3 : kind == Kind::texture ? 2 : 1;
+bool is_gltf(Format format) {
+  return format == Format::glb || format == Format::gltf;
+}
+
+std::size_t components_of(const Attribute& attribute) {
+  switch (attribute.kind) {
+    case Kind::normal:
+      return 3;
+    case Kind::texture:
+      return 2;
+    case Kind::scalar:
+      return 1;
+    default:
+      return attribute.components;
+  }
 }
 
 void check_attribute(const IndexedMesh& mesh, const Attribute& attribute) {
   const bool right_size = attribute.kind == Kind::colour
                               ? attribute.components == 3 || attribute.components == 4
-                              : attribute.components == components_of(attribute.kind);
+                              : attribute.components == components_of(attribute);
   bool fits = right_size && attribute.values.size() % attribute.components == 0;
   if (fits && attribute.per_vertex()) {
     fits = attribute.n_values() == mesh.points.size();
@@ -80,11 +90,36 @@ void check_mesh(const IndexedMesh& mesh, const attributes::Attributes& attribute
   for (const Attribute& attribute : attributes) check_attribute(mesh, attribute);
 }
 
+void check_parts(const IndexedMesh& mesh, const Parts& parts) {
+  bool fits = parts.of_face.empty() || parts.of_face.size() == mesh.triangles.size();
+  for (const std::uint32_t part : parts.of_face) fits = fits && part < parts.list.size();
+  for (const Part& part : parts.list)
+    fits = fits && (part.material == Part::none || part.material < parts.materials.size());
+  for (const Material& material : parts.materials)
+    fits = fits && (!material.image || *material.image < parts.images.size());
+  if (!fits) throw Fault("not written: parts do not fit the mesh");
+}
+
+/// "materials in a.mtl, b.mtl": for people.
+std::string where_materials_are(const std::vector<std::string>& libraries,
+                                const std::vector<Companion>& companions) {
+  std::string text;
+  for (const std::string& library : libraries) text += (text.empty() ? "materials in " : ", ") + library;
+  for (std::size_t i = 0; i < companions.size(); ++i)
+    text += (i == 0 ? "; written beside: " : ", ") + companions[i].path.filename().string();
+  return text;
+}
+
 /// Whether a format can hold an attribute.
 bool can_hold(Format format, const Attribute& attribute) {
+  if (attribute.kind == Kind::vector || attribute.kind == Kind::skin) return false;
   if (format == Format::stl) return false;
   if (format == Format::om) return attribute.per_vertex() || attribute.kind == Kind::texture;
-  return attribute.kind != Kind::scalar || format == Format::ply || format == Format::glb;
+  return attribute.kind != Kind::scalar || format == Format::ply || is_gltf(format);
+}
+
+bool can_hold_materials(Format format) {
+  return format == Format::obj || is_gltf(format);
 }
 
 /// Whether a format has values of a kind at vertices only, and more vertices help.
@@ -99,7 +134,7 @@ bool takes_at_vertices(Format format, Kind kind, const WriteOptions& options) {
 std::vector<const Attribute*> to_be_split(const attributes::Attributes& attributes, Format format,
                                           const WriteOptions& options) {
   std::vector<const Attribute*> out;
-  bool seen[4] = {false, false, false, false};
+  bool seen[kKinds] = {};
   for (const Attribute& attribute : attributes) {
     const bool is_second = std::exchange(seen[static_cast<std::size_t>(attribute.kind)], true);
     if (is_second && attribute.kind != Kind::scalar) continue;
@@ -111,20 +146,37 @@ std::vector<const Attribute*> to_be_split(const attributes::Attributes& attribut
 
 }  // namespace
 
+Format format_to_write(const std::filesystem::path& path, const WriteOptions& options) {
+  if (options.format.empty() && path == "-") throw Fault("the format of standard output must be named");
+  const Format format =
+      format_of_extension(options.format.empty() ? path.extension().string() : "." + options.format);
+  if (format == Format::gltf && path == "-")
+    throw Fault("gltf has its data in a file beside it; standard output takes glb");
+  return format;
+}
+
+std::string data_file_name(const std::filesystem::path& gltf) {
+  return gltf.stem().string() + ".bin";
+}
+
 std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                       const WriteOptions& options, Format format, WriteReport& report) {
-  check_mesh(mesh, attributes, options.single_precision || format == Format::stl || format == Format::glb);
+                       const WriteOptions& options, Format format, WriteReport& report, const Parts& parts,
+                       const std::vector<std::string>& libraries) {
+  check_parts(mesh, parts);
+  check_mesh(mesh, attributes, options.single_precision || format == Format::stl || is_gltf(format));
   if (!all_finite(attributes))
-    return mesh_bytes(mesh, with_finite_values(attributes, report), options, format, report);
+    return mesh_bytes(mesh, with_finite_values(attributes, report), options, format, report, parts,
+                      libraries);
   if (const auto at_corners = to_be_split(attributes, format, options); !at_corners.empty()) {
     SplitMesh split = split_mesh(mesh, attributes, at_corners);
     report.doubled_vertices = split.mesh.points.size() - mesh.points.size();
     report.first_vertex = std::move(split.first);
-    return mesh_bytes(split.mesh, split.attributes, options, format, report);
+    return mesh_bytes(split.mesh, split.attributes, options, format, report, parts, libraries);
   }
+  if (!can_hold_materials(format) && parts.has_materials()) leave_out(report, "materials");
   switch (format) {
     case Format::obj:
-      return obj_bytes(mesh, attributes, options, report);
+      return obj_bytes(mesh, attributes, options, parts, libraries, report);
     case Format::off:
       return off_bytes(mesh, attributes, options, report);
     case Format::ply:
@@ -134,17 +186,17 @@ std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& at
     case Format::om:
       return om_bytes(mesh, attributes, options, report);
     default:
-      return glb_bytes({{&mesh, &attributes, 0}}, report);
+      return glb_bytes({{&mesh, &attributes, &parts, 0}}, report);
   }
 }
 
 std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
                                          const std::filesystem::path& path, const WriteOptions& options,
                                          const std::function<bool(const Attribute&)>& keeps) {
-  const Format format = naming(path, [&] { return format_for(path, options); });
+  const Format format = naming(path, [&] { return format_to_write(path, options); });
   std::vector<std::string> gone;
   attributes::Attributes left;
-  bool seen[4] = {false, false, false, false};
+  bool seen[kKinds] = {};
   for (Attribute& attribute : attributes) {
     const bool holds = can_hold(format, attribute);
     const bool is_second = holds && std::exchange(seen[static_cast<std::size_t>(attribute.kind)], true) &&
@@ -161,19 +213,48 @@ std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
   return gone;
 }
 
+bool holds_scenes(const std::filesystem::path& path, const WriteOptions& options) {
+  return naming(path, [&] { return is_gltf(format_to_write(path, options)); });
+}
+
+bool holds_materials(const std::filesystem::path& path, const WriteOptions& options) {
+  return naming(path, [&] { return can_hold_materials(format_to_write(path, options)); });
+}
+
 Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options,
-                    const attributes::Attributes& attributes) {
+                    const attributes::Attributes& attributes, const Parts& parts) {
   return naming(path, [&] {
     Encoded encoded;
-    encoded.bytes = mesh_bytes(mesh, attributes, options, format_for(path, options), encoded.report);
+    const Format format = format_to_write(path, options);
+    ObjMaterials beside;
+    if (format == Format::obj) beside = obj_materials(parts, path, options.copy_materials, encoded.report);
+    encoded.bytes = mesh_bytes(mesh, attributes, options, format, encoded.report, parts, beside.libraries);
+    if (format == Format::obj)
+      encoded.report.materials = where_materials_are(beside.libraries, beside.companions);
+    encoded.companions = std::move(beside.companions);
+    if (format == Format::gltf) {
+      std::string data;
+      encoded.bytes = gltf_of_glb(encoded.bytes, data_file_name(path), data);
+      if (!data.empty())
+        encoded.companions.push_back({path.parent_path() / data_file_name(path), std::move(data), path});
+    }
     return encoded;
   });
 }
 
 WriteReport write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
-                       const WriteOptions& options, const attributes::Attributes& attributes) {
-  const Encoded encoded = encode_mesh(path, mesh, options, attributes);
-  write_file(path, encoded.bytes);
+                       const WriteOptions& options, const attributes::Attributes& attributes,
+                       const Parts& parts) {
+  Encoded encoded = encode_mesh(path, mesh, options, attributes, parts);
+  if (encoded.companions.empty()) {
+    write_file(path, encoded.bytes);
+    return encoded.report;
+  }
+  Outputs outputs;
+  outputs.add("mesh", path);
+  outputs.write("mesh", std::move(encoded.bytes));
+  outputs.write_beside(std::move(encoded.companions));
+  outputs.commit();
   return encoded.report;
 }
 
@@ -186,7 +267,8 @@ Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<L
     for (const Level& level : levels) {
       check_mesh(level.mesh, level.attributes, true);
       finite.push_back(with_finite_values(level.attributes, encoded.report));
-      views.push_back({&level.mesh, &finite.back(), level.error});
+      check_parts(level.mesh, level.parts);
+      views.push_back({&level.mesh, &finite.back(), &level.parts, level.error});
     }
     encoded.bytes = glb_bytes(views, encoded.report);
     return encoded;
@@ -200,7 +282,7 @@ WriteReport write_glb_levels(const std::filesystem::path& path, const std::vecto
 }
 
 void check_writable(const std::filesystem::path& path, const WriteOptions& options) {
-  naming(path, [&] { return format_for(path, options); });
+  naming(path, [&] { return format_to_write(path, options); });
   check_creatable(path);
 }
 

@@ -20,11 +20,7 @@ Recipe down_to_nothing() {
 }  // namespace
 
 Progression::Progression(const IndexedMesh& mesh, const Givens& givens, const Monitor& monitor)
-    : mesh_(mesh),
-      attributes_(givens.attributes),
-      seams_(givens.seams),
-      flags_(givens.flags),
-      least_(mesh.triangles.size()) {
+    : mesh_(mesh), givens_(givens), least_(mesh.triangles.size()) {
   Stopwatch watch;
   plan_ = plan(mesh, down_to_nothing(), monitor, givens);
   plan_seconds_ = watch.lap();
@@ -36,7 +32,7 @@ Progression::Progression(const IndexedMesh& mesh, const Givens& givens, const Mo
 Result Progression::at(std::size_t faces, bool with_refit) const {
   Stopwatch watch;
   Result result;
-  result.attainable = attainable(mesh_, pieces_, {}, flags_, kLocked | kFeature, {faces, 0});
+  result.attainable = attainable(mesh_, pieces_, {}, givens_.flags, kLocked | kFeature, {faces, 0});
   std::size_t left = mesh_.triangles.size(), n = 0;
   while (n < plan_.collapses.size() && left > result.attainable.target.faces)
     left -= plan_.collapses[n++].faces;
@@ -47,9 +43,10 @@ Result Progression::at(std::size_t faces, bool with_refit) const {
     result.refit = refit(mesh_, executed, options);
   }
   result.flipped_faces = count_flips(mesh_, executed.mesh, executed.face_origin);
-  if (attributes_)
+  if (givens_.attributes)
     result.attributes = attributes::transfer(
-        *attributes_, {mesh_, executed.mesh, executed.vertex_map, executed.face_origin}, seams_);
+        *givens_.attributes, {mesh_, executed.mesh, executed.vertex_map, executed.face_origin},
+        givens_.seams);
   StageResult stage;
   stage.module = default_module().text();
   stage.driver = Driver::bulk;
@@ -62,6 +59,8 @@ Result Progression::at(std::size_t faces, bool with_refit) const {
   result.stages.push_back(stage);
   result.mesh = std::move(executed.mesh);
   result.vertex_map = std::move(executed.vertex_map);
+  result.face_origin = std::move(executed.face_origin);
+  result.parts = parts_of(givens_, result);
   result.target_reached = result.mesh.triangles.size() <= faces;
   return result;
 }

@@ -30,9 +30,8 @@ class Progression {
 
  private:
   const IndexedMesh& mesh_;
-  const attributes::Attributes* attributes_;
-  attributes::SeamKinds seams_;
-  std::vector<std::uint8_t> flags_, held_in_refit_;
+  Givens givens_;
+  std::vector<std::uint8_t> held_in_refit_;
   Pieces pieces_;
   CollapsePlan plan_;
   std::size_t least_;

@@ -45,6 +45,11 @@ void add_values(const IndexedMesh& mesh, const attributes::Attributes& attribute
   extras.n_values = values.count;
 }
 
+std::vector<IndexedMesh::Triangle> wedges_of(const Givens& givens) {
+  const attributes::Attributes none;
+  return attributes::seam_wedges(givens.attributes ? *givens.attributes : none, givens.seams, givens.areas);
+}
+
 /// For a run: flags and tolerances that were given, the seams of the attributes, and their values where the
 /// first module weighs them.
 SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& scale, const Givens& givens) {
@@ -57,8 +62,8 @@ SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& s
   if (weights.any())
     add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), module, weights,
                extras);
-  if (!givens.attributes) return extras;
-  extras.wedges = attributes::seam_wedges(*givens.attributes, givens.seams);
+  if (!givens.attributes && givens.areas.empty()) return extras;
+  extras.wedges = wedges_of(givens);
   flag_seams(mesh, extras);
   return extras;
 }
@@ -103,7 +108,8 @@ TargetCount count_of(const Target& target, const IndexedMesh& mesh) {
 
 Task make_task(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
   check(recipe);
-  const Scale scale = measure_scale(mesh);
+  Scale scale = measure_scale(mesh);
+  if (givens.diagonal > 0) scale.diagonal = givens.diagonal;
   return {mesh,           stages_of(recipe),
           scale,          count_of(recipe.target, mesh),
           recipe.samples, extras(mesh, recipe.modules.front(), scale, givens),
@@ -143,16 +149,32 @@ void refit_result(const Task& task, std::optional<double> bound, Result& result)
   result.mesh = std::move(mesh);
 }
 
+/// The parts of faces after flips: no edge between parts is flipped, as it is on a seam.
+std::vector<std::uint32_t> parts_by_wedges(const std::vector<std::uint32_t>& parts,
+                                           const std::vector<IndexedMesh::Triangle>& before,
+                                           const std::vector<IndexedMesh::Triangle>& after) {
+  std::vector<std::uint32_t> of_wedge, out;
+  for (std::size_t f = 0; f < parts.size(); ++f)
+    for (const std::uint32_t wedge : before[f]) {
+      if (wedge >= of_wedge.size()) of_wedge.resize(wedge + std::size_t{1});
+      of_wedge[wedge] = parts[f];
+    }
+  for (std::size_t f = 0; !parts.empty() && f < after.size(); ++f) out.push_back(of_wedge[after[f][0]]);
+  return out;
+}
+
 /// Retriangulates the result, unless that breaks the bound.
 void retriangulate_result(const IndexedMesh& input, const Recipe& recipe, std::optional<double> bound,
                           Result& result) {
-  std::vector<IndexedMesh::Triangle> before = attributes::wedges(result.mesh, result.attributes);
+  const std::vector<IndexedMesh::Triangle> before =
+      attributes::wedges(result.mesh, result.attributes, result.parts);
   std::vector<IndexedMesh::Triangle> after = before;
   IndexedMesh mesh =
       retriangulate(result.mesh, *recipe.delaunay, result.delaunay, result.refused_faces, after);
   result.retriangulation_dropped = !keeps_bound(input, mesh, bound, result);
   if (result.retriangulation_dropped) return;
   result.attributes = attributes::rewedged(result.attributes, before, after);
+  result.parts = parts_by_wedges(result.parts, before, after);
   result.mesh = std::move(mesh);
   result.face_origin.clear();
 }
@@ -275,10 +297,18 @@ std::vector<std::uint8_t> held_in_refit(const IndexedMesh& mesh, const Givens& g
   SurfaceExtras held;
   held.flags = givens.flags;
   held.tolerance = givens.tolerance;
-  if (givens.attributes) held.wedges = attributes::seam_wedges(*givens.attributes, givens.seams);
+  held.wedges = wedges_of(givens);
   std::vector<std::uint8_t> flags = detail::refit_flags(mesh, held);
   hold_to_normals(givens.attributes && attributes::default_weights(mesh, *givens.attributes).any(), flags);
   return flags;
+}
+
+std::vector<std::uint32_t> parts_of(const Givens& givens, const Decimated& result) {
+  std::vector<std::uint32_t> parts;
+  if (!givens.parts || givens.parts->empty()) return parts;
+  parts.reserve(result.face_origin.size());
+  for (const std::uint32_t face : result.face_origin) parts.push_back((*givens.parts)[face]);
+  return parts;
 }
 
 Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
@@ -299,6 +329,7 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor
     result.attributes = attributes::transfer(
         *givens.attributes, {mesh, result.mesh, result.vertex_map, result.face_origin}, givens.seams);
   remove_pieces(mesh, pieces, result);
+  result.parts = parts_of(givens, result);
   if (recipe.delaunay) retriangulate_result(mesh, recipe, bound, result);
   result.target_reached =
       !target.any() || target.is_met(result.mesh.triangles.size(), result.mesh.points.size());

@@ -109,13 +109,14 @@ struct StageResult {
 struct Result : Decimated {
   static constexpr std::uint32_t kNoVertex = 0xffffffffu;  ///< in `vertex_map`: its piece has vanished
   attributes::Attributes attributes;                       ///< of `mesh`, where some were given
+  std::vector<std::uint32_t> parts;                        ///< for each face of `mesh` its part; the same
   std::vector<StageResult> stages;
   std::optional<double> distance;  ///< largest distance to the input, model units, where there was a bound
   bool bound_held = true;          ///< false: faces that OpenMesh could not take are missing, and lie too far
   std::size_t held_by_bound = 0;   ///< input vertices that were kept in place for the bound's sake
   std::size_t held = 0;            ///< input vertices that the givens keep in place
   std::size_t held_on_seams = 0;   ///< of those, the ones that are only on a seam that no module moves
-  std::size_t charts = 0;          ///< of the input's texture coordinates; 0 where there are no seams
+  std::size_t charts = 0;          ///< of the input, which seams enclose; 0 where there are none
   std::size_t charts_gone = 0;     ///< of those, how many have no face left
   std::size_t pieces_gone = 0, faces_of_pieces_gone = 0;
   Attainable attainable;  ///< the target that was gone to; raised where the one given would have ruined
@@ -140,6 +141,11 @@ struct Givens {
   /// To be carried over. Seams of texture coordinates move in modules that can move them, and stay in others
   const attributes::Attributes* attributes = nullptr;
   attributes::SeamKinds seams = {};  ///< what makes seams besides texture coordinates
+  /// For each face a number: between different ones, as those of materials, there is a seam
+  std::vector<std::uint32_t> areas = {};
+  /// What lengths in percent refer to, where the mesh's own bounding box says nothing of it; model units. 0: that box
+  double diagonal = 0;
+  const std::vector<std::uint32_t>* parts = nullptr;  ///< for each face the part that it is of; carried over
 };
 
 /// The sizes that the relative lengths of a recipe refer to. Each edge counts once in the mean.
@@ -166,6 +172,9 @@ bool wants_refit(const Recipe& recipe);
 
 /// What a refit holds: what the givens hold, and the seams of their attributes.
 std::vector<std::uint8_t> held_in_refit(const IndexedMesh& mesh, const Givens& givens);
+
+/// For each face the part of the one that it was; empty where no parts were given.
+std::vector<std::uint32_t> parts_of(const Givens& givens, const Decimated& result);
 
 /// Finds what `run` would object to, without a mesh.
 /// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a module, neither

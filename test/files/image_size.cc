@@ -5,6 +5,7 @@
 
 #include "Folder.hh"
 #include "catch.hh"
+#include "files/MeshFile.hh"
 
 using namespace whittle;
 using namespace std::string_literals;
@@ -60,48 +61,39 @@ TEST_CASE("bytes that are no image, cut off, or of no size have none") {
   CHECK_FALSE(files::image_size("the fog comes on little cat feet"));
 }
 
-TEST_CASE("the image of an OBJ is the one that its material library names, in its folder or below") {
+TEST_CASE("the size of a texture is that of the first image of a base colour, in a library or in a GLB") {
   const scratch::Folder folder;
-  const auto obj = folder.path() / "a.obj";
+  const auto size_of = [&](const std::string& name) {
+    return files::texture_image_size(files::read_mesh(folder.path() / name).parts);
+  };
   put_file(folder.path() / "looks/a b.png", png_of(2048, 1024));
   put_file(folder.path() / "looks/a.mtl", "newmtl one\n  map_Kd -s 1 1 1 a.png\n");
-  put_file(obj, "# made by hand\nmtllib looks/a.mtl \r\nv 0 0 0\n");
-  CHECK_FALSE(files::texture_image_size(obj));
+  put_file(folder.path() / "a.obj", "# made by hand\nmtllib looks/a.mtl \r\nusemtl one\nv 0 0 0\n");
+  CHECK_FALSE(size_of("a.obj"));
   put_file(folder.path() / "looks/a.png", png_of(512, 256));
-  const auto size = files::texture_image_size(obj);
+  const auto size = size_of("a.obj");
   REQUIRE(size);
   CHECK(size->width == 512);
   CHECK(size->height == 256);
   put_file(folder.path() / "looks/a.mtl", "newmtl one\nmap_Kd a b.png\n");
-  CHECK(files::texture_image_size(obj)->width == 2048);
-  put_file(folder.path() / "in/a.obj", "mtllib ../looks/a.mtl\n");
-  CHECK_FALSE(files::texture_image_size(folder.path() / "in/a.obj"));
-  put_file(folder.path() / "b.obj", "mtllib " + (folder.path() / "looks/a.mtl").string() + "\n");
-  CHECK_FALSE(files::texture_image_size(folder.path() / "b.obj"));
-  CHECK_FALSE(files::texture_image_size(folder.path() / "none.obj"));
-  CHECK_FALSE(files::texture_image_size("-"));
+  CHECK(size_of("a.obj")->width == 2048);
+
+  const std::string json =
+      R"({"asset":{"version":"2.0"},"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],)"
+      R"("textures":[{"source":0}],"images":[{"bufferView":0}],"buffers":[{"byteLength":45}],)"
+      R"("bufferViews":[{"buffer":0,"byteOffset":5,"byteLength":40}]})";
+  put_file(folder.path() / "a.glb", container(json, "zzzzz" + png_of(4096, 32) + std::string(20, 'z')));
+  REQUIRE(size_of("a.glb"));
+  CHECK(size_of("a.glb")->width == 4096);
 }
 
-TEST_CASE("the image of a GLB is the one of its first material, in its binary chunk or beside it") {
-  const scratch::Folder folder;
-  const auto glb = folder.path() / "a.glb";
-  const std::string head =
-      R"({"asset":{"version":"2.0"},"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":1}}}],)"
-      R"("textures":[{"source":0},{"source":1}],"images":[{"uri":"none.png"},)";
-  put_file(
-      glb,
-      container(head + R"({"bufferView":0}],"bufferViews":[{"buffer":0,"byteOffset":5,"byteLength":40}]})",
-                "zzzzz" + png_of(4096, 32)));
-  const auto inside = files::texture_image_size(glb);
-  REQUIRE(inside);
-  CHECK(inside->width == 4096);
-  CHECK(inside->height == 32);
-  put_file(glb, container(head + R"({"uri":"b.png"}]})", ""));
-  CHECK_FALSE(files::texture_image_size(glb));
-  put_file(folder.path() / "b.png", png_of(16, 64));
-  CHECK(files::texture_image_size(glb)->height == 64);
-  for (const std::string json : {"{}", "[", R"({"materials":[{"pbrMetallicRoughness":7}]})"}) {
-    put_file(glb, container(json, ""));
-    CHECK_FALSE(files::texture_image_size(glb));
-  }
+TEST_CASE("the size of a texture counts how often coordinates go across it") {
+  files::Parts parts;
+  CHECK_FALSE(files::texture_image_size(parts));
+  parts.images.push_back({"a", {}, png_of(64, 32)});
+  parts.materials.resize(2);
+  parts.materials[1].image = 0;
+  parts.materials[1].texture_scale = {2, 0.5};
+  CHECK(files::texture_image_size(parts)->width == 128);
+  CHECK(files::texture_image_size(parts)->height == 16);
 }

@@ -46,8 +46,10 @@ struct Model {
   std::optional<render::MeshArrays> arrays;
 
   const IndexedMesh& mesh() const { return file.mesh; }
-  /// Attributes are carried over, and seams of texture move or stay, as on the command line.
-  recipe::Givens givens() const { return {{}, {}, &file.attributes}; }
+  /// Attributes and parts are carried over, and seams move or stay, as on the command line.
+  recipe::Givens givens() const {
+    return {{}, {}, &file.attributes, {}, file.parts.areas(), 0, &file.parts.of_face};
+  }
   Eigen::AlignedBox3d box() const { return {inspection.facts.box_min, inspection.facts.box_max}; }
 };
 

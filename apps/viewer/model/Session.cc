@@ -24,7 +24,9 @@ std::vector<std::string> write_result(const std::string& path, const Outcome& ou
   files::WriteOptions options;
   options.ascii = ascii;
   options.single_precision = outcome.model->file.single_precision;
-  return files::write_mesh(path, outcome.mesh(), options, outcome.result.attributes).notes();
+  files::Parts parts = outcome.model->file.parts;
+  parts.of_face = outcome.result.parts;
+  return files::write_mesh(path, outcome.mesh(), options, outcome.result.attributes, parts).notes();
 }
 
 bool rests(const Wanted& wanted) {

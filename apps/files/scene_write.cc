@@ -1,0 +1,446 @@
+/// \file
+/// glTF 2.0: writing a scene back with other triangles.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "files/Choice.hh"
+#include "files/Fault.hh"
+#include "files/GltfOutput.hh"
+#include "files/IndexTable.hh"
+#include "files/Scene.hh"
+#include "files/beside.hh"
+#include "files/formats.hh"
+#include "files/gltf_uri.hh"
+#include "files/obj_materials.hh"
+#include "files/scene_references.hh"
+
+namespace whittle::files {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using attributes::Attribute;
+using attributes::Kind;
+
+/// The vertices of a piece: one for each vertex of the mesh and the values that its corners have there.
+struct PieceVertices {
+  std::vector<std::uint32_t> corners;  ///< one corner of each, 3 f + k
+  std::vector<std::uint32_t> indices;  ///< three for each face
+};
+
+PieceVertices vertices_of(const IndexedMesh& mesh, const std::vector<std::uint32_t>& faces,
+                          const std::vector<const Attribute*>& attributes) {
+  PieceVertices out;
+  IndexTable table;
+  const auto equal = [&](std::uint32_t a, std::uint32_t b) {
+    if (mesh.triangles[a / 3][a % 3] != mesh.triangles[b / 3][b % 3]) return false;
+    return std::all_of(attributes.begin(), attributes.end(), [&](const Attribute* attribute) {
+      return attribute->at(mesh, a / 3, a % 3) == attribute->at(mesh, b / 3, b % 3);
+    });
+  };
+  for (const std::uint32_t face : faces)
+    for (std::uint32_t corner = 3 * face; corner < 3 * face + 3; ++corner) {
+      Hash hash;
+      hash.add(std::uint64_t{mesh.triangles[corner / 3][corner % 3]});
+      for (const Attribute* attribute : attributes)
+        hash.add(std::uint64_t{attribute->at(mesh, corner / 3, corner % 3)});
+      const auto fresh = static_cast<std::uint32_t>(out.corners.size());
+      const std::uint32_t index = table.find_or_add(
+          hash, fresh, [&](std::uint32_t other) { return equal(out.corners[other], corner); });
+      if (index == fresh) out.corners.push_back(corner);
+      out.indices.push_back(index);
+    }
+  return out;
+}
+
+std::vector<float> values_of(const IndexedMesh& mesh, const PieceVertices& vertices,
+                             const Attribute& attribute) {
+  std::vector<float> values;
+  values.reserve(attribute.components * vertices.corners.size());
+  for (const std::uint32_t corner : vertices.corners) {
+    const float* value = attribute.value(attribute.at(mesh, corner / 3, corner % 3));
+    values.insert(values.end(), value, value + attribute.components);
+  }
+  return values;
+}
+
+/// The first `count` components of each value.
+std::vector<float> narrowed(const std::vector<float>& values, std::size_t components, std::size_t count) {
+  std::vector<float> out;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (i % components < count) out.push_back(values[i]);
+  return out;
+}
+
+const char* mime_type(std::string_view bytes) {
+  if (bytes.substr(0, 4) == "\x89PNG") return "image/png";
+  if (bytes.substr(0, 3) == "\xff\xd8\xff") return "image/jpeg";
+  if (bytes.substr(0, 4) == "RIFF") return "image/webp";
+  return bytes.substr(1, 6) == "KTX 20" ? "image/ktx2" : nullptr;
+}
+
+class SceneWriter {
+ public:
+  SceneWriter(const MeshFile& in, const SceneResult& result, WriteReport& report)
+      : in_(in), scene_(*in.scene), result_(result), report_(report), document_(scene_.document) {}
+
+  void run() {
+    prepare_materials();
+    prepare_data();
+    find_exact_points();
+    write_pieces();
+    remove_what_is_empty();
+    name_extensions();
+    output_->json()["asset"]["generator"] = "whittle";
+  }
+
+  GltfOutput& output() { return *output_; }
+
+ private:
+  bool has_texture(const Attribute& attribute) const { return attribute.kind == Kind::texture; }
+
+  /// Without the materials, or without their textures, where those have been left out.
+  void prepare_materials() {
+    const auto had = [&](auto test) { return std::any_of(scene_.pieces.begin(), scene_.pieces.end(), test); };
+    const bool had_materials =
+        had([&](const Scene::Piece& piece) { return primitive(piece).contains("material"); });
+    const bool had_texture = had([](const Scene::Piece& piece) {
+      return std::any_of(piece.channels.begin(), piece.channels.end(), [](const Scene::Channel& channel) {
+        return channel.name.rfind("TEXCOORD_", 0) == 0;
+      });
+    });
+    const auto& attributes = result_.attributes;
+    const bool has_texture = std::any_of(attributes.begin(), attributes.end(),
+                                         [](const auto& a) { return a.kind == Kind::texture; });
+    if (had_materials && in_.parts.materials.empty()) {
+      for (Json& mesh : document_["meshes"])
+        for (Json& part : mesh["primitives"]) part.erase("material");
+      erase_sections({"materials", "textures", "images", "samplers"});
+    } else if (had_texture && !has_texture && document_.contains("materials")) {
+      remove_textures(document_["materials"]);
+      erase_sections({"textures", "images", "samplers"});
+    }
+  }
+
+  void erase_sections(std::initializer_list<const char*> keys) {
+    for (const char* key : keys) document_.erase(key);
+  }
+
+  static void remove_textures(Json& value) {
+    if (value.is_object())
+      for (auto member = value.begin(); member != value.end();) {
+        const std::string& key = member.key();
+        const bool is_texture = key.size() >= 7 && key.compare(key.size() - 7, 7, "Texture") == 0;
+        member = is_texture ? value.erase(member) : std::next(member);
+      }
+    if (value.is_structured())
+      for (Json& one : value) remove_textures(one);
+  }
+
+  Json& primitive(const Scene::Piece& piece) {
+    return document_["meshes"][piece.mesh]["primitives"][piece.primitive];
+  }
+
+  /// Puts the data that stay one behind the other.
+  void prepare_data() {
+    const SceneReferences kept = references_besides(document_, scene_.pieces);
+    std::string buffer;
+    for (std::size_t i = 0; i < kept.views.size(); ++i) {
+      if (!kept.views[i]) continue;
+      Json& view = document_["bufferViews"][i];
+      buffer.resize((buffer.size() + 7) / 8 * 8, '\0');
+      const std::string_view bytes = bytes_of_view(view);
+      view["buffer"] = 0;
+      view["byteOffset"] = buffer.size();
+      view["byteLength"] = bytes.size();
+      buffer += bytes;
+    }
+    output_.emplace(std::move(document_), std::move(buffer));
+    output_->set_free(unmarked(kept.accessors), unmarked(kept.views));
+  }
+
+  std::string_view bytes_of_view(const Json& view) const {
+    const std::size_t number = view.value("buffer", std::size_t{0});
+    const std::size_t offset = view.value("byteOffset", std::size_t{0});
+    const std::size_t length = view.value("byteLength", std::size_t{0});
+    if (number >= scene_.buffers.size() || offset > scene_.buffers[number].size() ||
+        length > scene_.buffers[number].size() - offset)
+      throw Fault("not written: a view of the input reaches beyond its buffer");
+    return std::string_view(scene_.buffers[number]).substr(offset, length);
+  }
+
+  static std::vector<std::size_t> unmarked(const std::vector<bool>& marks) {
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < marks.size(); ++i)
+      if (!marks[i]) out.push_back(i);
+    return out;
+  }
+
+  /// Vertices that have not moved have the file's coordinates, to the last bit.
+  void find_exact_points() {
+    constexpr std::uint32_t none = MeshFile::left_out;
+    std::vector<std::uint32_t> in_file(in_.mesh.points.size(), none);
+    for (std::uint32_t i = 0; i < scene_.file_points.size(); ++i) {
+      const std::uint32_t v = in_.vertex_of.empty() ? i : in_.vertex_of[i];
+      if (v != none && in_file[v] == none) in_file[v] = i;
+    }
+    exact_.resize(result_.mesh.points.size(), none);
+    for (std::size_t v = 0; v < result_.vertex_map.size(); ++v) {
+      const std::uint32_t w = result_.vertex_map[v];
+      if (w < exact_.size() && result_.mesh.points[w] == in_.mesh.points[v]) exact_[w] = in_file[v];
+    }
+  }
+
+  IndexedMesh::Point point(std::uint32_t w, const Scene::Placement& placement) const {
+    if (exact_[w] != MeshFile::left_out) return scene_.file_points[exact_[w]];
+    return (result_.mesh.points[w] - placement.offset) / placement.scale;
+  }
+
+  void write_pieces() {
+    std::vector<std::vector<std::uint32_t>> faces(scene_.pieces.size());
+    for (std::uint32_t f = 0; f < result_.parts.size(); ++f) faces[result_.parts[f]].push_back(f);
+    report_.first_vertex.assign(result_.mesh.points.size(), 0);
+    std::vector<bool> seen(result_.mesh.points.size(), false);
+    std::uint32_t begin = 0;
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      const PieceVertices vertices = write_piece(scene_.pieces[i], faces[i]);
+      for (std::uint32_t k = 0; k < vertices.corners.size(); ++k) {
+        const std::uint32_t corner = vertices.corners[k];
+        const std::uint32_t w = result_.mesh.triangles[corner / 3][corner % 3];
+        if (!seen[w]) report_.first_vertex[w] = begin + k;
+        seen[w] = true;
+      }
+      begin += static_cast<std::uint32_t>(vertices.corners.size());
+    }
+  }
+
+  PieceVertices write_piece(const Scene::Piece& piece, const std::vector<std::uint32_t>& faces) {
+    std::vector<const Attribute*> attributes;
+    for (const Scene::Channel& channel : piece.channels)
+      if (const Attribute* attribute = find(channel.name)) attributes.push_back(attribute);
+    std::vector<const Attribute*> at_corners;
+    for (const Attribute* attribute : attributes)
+      if (!attribute->per_vertex()) at_corners.push_back(attribute);
+    PieceVertices vertices = vertices_of(result_.mesh, faces, at_corners);
+    Json part = output_->json()["meshes"][piece.mesh]["primitives"][piece.primitive];
+    part["attributes"] = Json::object();
+    part.erase("indices");
+    part.erase("mode");
+    for (Json& target : part.contains("targets") ? part["targets"] : empty_) target = Json::object();
+    if (!faces.empty()) {
+      part["attributes"]["POSITION"] = add_positions(piece, vertices);
+      for (const Scene::Channel& channel : piece.channels)
+        if (const Attribute* attribute = find(channel.name)) add_channel(part, channel, *attribute, vertices);
+      part["indices"] = output_->add_indices(vertices.indices, vertices.corners.size());
+    }
+    output_->json()["meshes"][piece.mesh]["primitives"][piece.primitive] = std::move(part);
+    return vertices;
+  }
+
+  const Attribute* find(const std::string& name) const {
+    const auto found = std::find_if(result_.attributes.begin(), result_.attributes.end(),
+                                    [&](const Attribute& attribute) { return attribute.name == name; });
+    return found == result_.attributes.end() ? nullptr : &*found;
+  }
+
+  std::size_t add_positions(const Scene::Piece& piece, const PieceVertices& vertices) {
+    std::vector<float> values;
+    for (const std::uint32_t corner : vertices.corners)
+      for (const double x :
+           point(result_.mesh.triangles[corner / 3][corner % 3], scene_.placements[piece.mesh])) {
+        values.push_back(static_cast<float>(x));
+        if (!std::isfinite(values.back()))
+          throw Fault("not written: a coordinate is too large for a 32-bit float");
+      }
+    return output_->add_floats(values, 3, true);
+  }
+
+  void add_channel(Json& part, const Scene::Channel& channel, const Attribute& attribute,
+                   const PieceVertices& vertices) {
+    std::vector<float> values = values_of(result_.mesh, vertices, attribute);
+    for (float& value : values)
+      if (!std::isfinite(value)) value = 0;
+    if (attribute.kind == Kind::skin) return add_skin(part, attribute, values);
+    if (attribute.kind == Kind::colour && channel.components < attribute.components)
+      values = narrowed(values, attribute.components, channel.components);
+    if (attribute.kind == Kind::normal) normalize(values);
+    const std::size_t slash = channel.name.find('/');
+    const bool is_bytes = attribute.kind == Kind::colour && channel.bytes;
+    const std::size_t accessor =
+        is_bytes
+            ? output_->add_bytes(values, channel.components)
+            : output_->add_floats(values, channel.components,
+                                  slash != std::string::npos && channel.name.substr(slash) == "/POSITION");
+    if (attribute.kind == Kind::vector && slash != std::string::npos && channel.name[0] != '_')
+      part["targets"][std::stoul(channel.name.substr(0, slash))][channel.name.substr(slash + 1)] = accessor;
+    else
+      part["attributes"][channel.name] = accessor;
+  }
+
+  void add_skin(Json& part, const Attribute& attribute, const std::vector<float>& values) {
+    const std::size_t pairs = attribute.components / 2;
+    for (std::size_t first = 0; first < pairs; first += 4) {
+      std::vector<float> joints, weights;
+      for (std::size_t i = 0; i < values.size(); i += 2) {
+        if (i / 2 % pairs < first || i / 2 % pairs >= first + 4) continue;
+        joints.push_back(values[i + 1] > 0 ? values[i] : 0);
+        weights.push_back(values[i + 1]);
+      }
+      const std::string number = std::to_string(first / 4);
+      part["attributes"]["JOINTS_" + number] = output_->add_joints(joints);
+      part["attributes"]["WEIGHTS_" + number] = output_->add_floats(weights, 4);
+    }
+  }
+
+  static bool has_positions(const Json& part) {
+    return part.contains("attributes") && part["attributes"].contains("POSITION");
+  }
+
+  /// A part must have vertices, and a mesh must have parts.
+  void remove_what_is_empty() {
+    Json& json = output_->json();
+    if (!json.contains("meshes")) return;
+    Json left = Json::array();
+    std::vector<std::optional<std::size_t>> number;
+    for (Json& mesh : json["meshes"]) {
+      Json parts = Json::array();
+      for (Json& part : mesh["primitives"])
+        if (has_positions(part)) parts.push_back(std::move(part));
+      const bool stays = !parts.empty();
+      number.push_back(stays ? std::optional(left.size()) : std::nullopt);
+      if (!stays) continue;
+      mesh["primitives"] = std::move(parts);
+      left.push_back(std::move(mesh));
+    }
+    json["meshes"] = std::move(left);
+    if (json["meshes"].empty()) json.erase("meshes");
+    for (Json& node : json.contains("nodes") ? json["nodes"] : empty_) {
+      if (!node.contains("mesh")) continue;
+      if (const auto now = number[node["mesh"].get<std::size_t>()]) {
+        node["mesh"] = *now;
+        continue;
+      }
+      for (const char* key : {"mesh", "skin", "weights"}) node.erase(key);
+      if (node.contains("extensions")) node["extensions"].erase("EXT_mesh_gpu_instancing");
+    }
+  }
+
+  /// Those of how data are packed go with the data.
+  void name_extensions() {
+    Json& json = output_->json();
+    std::set<std::string> gone = {"EXT_meshopt_compression", "KHR_draco_mesh_compression"};
+    std::size_t parts = 0;
+    for (const Json& mesh : json.contains("meshes") ? json["meshes"] : empty_)
+      parts += mesh["primitives"].size();
+    if (parts <= scene_.pieces.size()) gone.insert("KHR_mesh_quantization");
+    for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
+      if (!json.contains(key)) continue;
+      Json left = Json::array();
+      for (const Json& name : json[key])
+        if (!name.is_string() || gone.count(name.get<std::string>()) == 0) left.push_back(name);
+      json[key] = std::move(left);
+      if (json[key].empty()) json.erase(key);
+    }
+  }
+
+  const MeshFile& in_;
+  const Scene& scene_;
+  const SceneResult& result_;
+  WriteReport& report_;
+  Json document_, empty_ = Json::array();
+  std::optional<GltfOutput> output_;
+  std::vector<std::uint32_t> exact_;  ///< for each vertex the one of the file that it still is
+};
+
+/// Images that are files: within a GLB, or beside a .gltf.
+class ImageCarrier {
+ public:
+  ImageCarrier(const Scene& scene, const fs::path& path, Encoded& out)
+      : scene_(scene), path_(path), out_(out) {}
+
+  void run(GltfOutput& output, bool into_glb) {
+    Json& json = output.json();
+    if (!json.contains("images")) return;
+    for (std::size_t i = 0; i < json["images"].size(); ++i) {
+      const Json& image = json["images"][i];
+      if (!image.contains("uri") || !image["uri"].is_string()) continue;
+      const std::string uri = image["uri"].get<std::string>();
+      if (is_data_uri(uri)) continue;
+      const auto from = beside(scene_.path, decode_percents(uri));
+      if (!into_glb && from && is_at(*from, path_.parent_path() / decode_percents(uri))) continue;
+      auto bytes = from ? bytes_of(*from, std::size_t{1} << 31) : std::nullopt;
+      if (!bytes) {
+        leave_out(out_.report, "image " + in_quotes(decode_percents(uri)) +
+                                   ", which is not in the input's folder; it is still named");
+        continue;
+      }
+      if (into_glb)
+        embed(output, i, *bytes);
+      else
+        copy(json["images"][i], *from, std::move(*bytes));
+    }
+  }
+
+ private:
+  static bool is_at(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return fs::equivalent(a, b, error) && !error;
+  }
+
+  void embed(GltfOutput& output, std::size_t number, const std::string& bytes) {
+    const std::size_t view = output.add_view(bytes);
+    Json& image = output.json()["images"][number];
+    if (const char* type = mime_type(bytes)) image["mimeType"] = type;
+    if (!image.contains("mimeType")) image["mimeType"] = "application/octet-stream";
+    if (!image.contains("name")) image["name"] = decode_percents(image["uri"].get<std::string>());
+    image.erase("uri");
+    image["bufferView"] = view;
+  }
+
+  void copy(Json& image, const fs::path& from, std::string bytes) {
+    const auto [place, is_new] = copied_.emplace(from, "");
+    if (is_new)
+      place->second = add_companion(out_.companions, path_, from.filename().string(), std::move(bytes));
+    image["uri"] = encode_percents(place->second);
+  }
+
+  const Scene& scene_;
+  const fs::path& path_;
+  Encoded& out_;
+  std::map<fs::path, std::string> copied_;
+};
+
+void encode(const fs::path& path, const MeshFile& in, const SceneResult& result, bool is_glb, Encoded& out) {
+  SceneWriter writer(in, result, out.report);
+  writer.run();
+  ImageCarrier(*in.scene, path, out).run(writer.output(), is_glb);
+  if (is_glb) {
+    out.bytes = writer.output().glb();
+    return;
+  }
+  std::string data;
+  out.bytes = writer.output().gltf(data_file_name(path), data);
+  if (!data.empty())
+    out.companions.push_back({path.parent_path() / data_file_name(path), std::move(data), path});
+}
+
+}  // namespace
+
+Encoded encode_scene(const fs::path& path, const MeshFile& in, const SceneResult& result,
+                     const WriteOptions& options) {
+  return naming(path, [&] {
+    const bool is_glb = format_to_write(path, options) == Format::glb;
+    Encoded out;
+    try {
+      encode(path, in, result, is_glb, out);
+    } catch (const Json::exception&) {
+      throw Fault("not written: the JSON of the input is damaged; --flatten writes its triangles alone");
+    }
+    return out;
+  });
+}
+
+}  // namespace whittle::files
