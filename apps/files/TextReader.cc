@@ -119,9 +119,9 @@ std::uint64_t TextReader::count() {
 
 std::string_view TextReader::rest_of_line() {
   line_is_fresh_ = false;
-  const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
-  std::string_view text = bytes_.substr(at_, end - at_);
-  at_ = end;
+  const std::size_t begin = at_;
+  while (at_ < bytes_.size() && bytes_[at_] != '\n' && line_join() == 0) ++at_;
+  std::string_view text = bytes_.substr(begin, at_ - begin);
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;

@@ -38,7 +38,8 @@ class TextReader {
   std::uint64_t count();
   /// \}
 
-  /// All that is left of the line as it stands, comments included, without the blanks at its ends.
+  /// All that is left of the line as it stands, comments included, without the blanks at its ends; not of lines that are
+  /// joined with it.
   std::string_view rest_of_line();
 
   /// What follows the current line.
