@@ -112,7 +112,8 @@ inline Verdict judge(Mesh& mesh, Corner c, const Placement& placement, Worker& w
   };
   if (!survey(mesh, d, c, worker, count)) return Verdict::elsewhere;
   if (common != (interior ? 2u : 1u)) return Verdict::breaks_link;
-  if (mesh.has_seams && closes_slit(mesh, c)) return Verdict::breaks_seam;
+  if (mesh.has_seams && (closes_slit(mesh, c) || drags_chart(mesh, c, placement.offset, worker)))
+    return Verdict::breaks_seam;
   const std::size_t of_a = worker.ring.n_at_start(), of_b = worker.ring.size() - of_a;
   const bool ear = (mesh.keeps_end(c) ? of_a : of_b) == 0;                             // its tip would vanish
   const bool back_to_back = interior && !a_open && !b_open && of_a <= 1 && of_b <= 1;  // two faces would be

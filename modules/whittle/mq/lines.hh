@@ -7,18 +7,20 @@
 #include "whittle/mq/Mesh.hh"
 #include "whittle/mq/SymmetricMatrix.hh"
 #include "whittle/mq/Vertex.hh"
-#include "whittle/surface/constants.hh"
 
 namespace whittle::mq {
 
 /// How much the square of the distance from a boundary edge or a feature counts.
 constexpr float kShapeWeight = 9;
+/// The same for a seam, which is to bend little, not to hold the shape. The less it is, the truer is the shape, and the
+/// further slide the textures; the more charts are small, the more.
+constexpr float kSeamWeight = 0.15f;
 
 /// The quadric of the line along a half-edge: the weighted square of the distance from it, whatever the direction.
 inline SymmetricMatrix line_quadric(const Mesh& mesh, Corner c) {
   const bool is_only_seam =
       mesh.has_seams && mesh.table.notes(c).is_seam(c) && !mesh.table.notes(c).is_feature(c);
-  const float weight = is_only_seam ? static_cast<float>(detail::kSeamWeight) : kShapeWeight;
+  const float weight = is_only_seam ? kSeamWeight : kShapeWeight;
   const Vec e = mesh.edge(c);
   return SymmetricMatrix::identity(weight * e.squaredNorm()) - SymmetricMatrix::outer(e, weight);
 }
