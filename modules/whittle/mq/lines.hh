@@ -12,8 +12,9 @@ namespace whittle::mq {
 
 /// How much the square of the distance from a boundary edge or a feature counts.
 constexpr float kShapeWeight = 9;
-/// The same for a seam, which is to bend little, not to hold the shape. The less it is, the truer is the shape, and the
-/// further slide the textures; the more charts are small, the more.
+/// The same for a seam, which is to bend little, not to hold the shape. With less the shape is truer and textures slide
+/// further; with this they slide at most a fifth further than gltfpack's on the tuning half of the textured models at
+/// 25 and 10 %.
 constexpr float kSeamWeight = 0.15f;
 
 /// The quadric of the line along a half-edge: the weighted square of the distance from it, whatever the direction.

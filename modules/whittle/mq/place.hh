@@ -60,8 +60,8 @@ EIGEN_ALWAYS_INLINE FourVectors areas_at(const Mesh& mesh, const std::array<std:
                    mesh.areas[v[3]].sum.data()});
 }
 
-/// Of edges between an inner vertex and one on a seam, moves the placement, which is at the seam, up or down to where it is
-/// closest to the planes: along the vertex's normal, as it may not leave the seam.
+/// Of edges between an inner vertex and one on a seam, moves the placement, which is at the seam, up or down to where
+/// it is closest to the planes: along the vertex's normal, as it may not leave the seam.
 /// \param sum     of the quadrics at both ends
 /// \param pull_b  the quadric at the end times the edge
 inline void raise_on_seams(const Mesh& mesh, const FourEdges& edges, const FourVectors& e,

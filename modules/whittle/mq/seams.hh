@@ -118,8 +118,8 @@ inline bool keeps_seams(const Mesh& mesh, Corner c) {
   return d == kNoCorner ? is_chart(mesh, c) : mesh.table.notes(c).is_seam(c);
 }
 
-/// Whether the collapse of a seam edge drags a chart of one face along: moves a corner of it by more than half of the edge
-/// opposite, once or again and again. Such a chart costs next to nothing to move, and its texture would end up anywhere.
+/// Whether the collapse of a seam edge drags a chart of one face along: moves a corner of it by more than half of the
+/// edge opposite. The lines of a small chart weigh little, so it would cost next to nothing to move it anywhere.
 /// \param offset  of the new vertex from the start of the edge; the worker has its ring.
 inline bool drags_chart(const Mesh& mesh, Corner c, const Vec& offset, const Worker& worker) {
   if (!mesh.table.notes(c).is_seam(c)) return false;
