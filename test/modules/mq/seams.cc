@@ -215,7 +215,7 @@ TEST_CASE(
   check(0, 1);
 }
 
-TEST_CASE("mq: a seam drags no chart of one face along, and one of two faces with it") {
+TEST_CASE("mq: a seam drags no chart of one face along unless it may, but one of two faces") {
   const IndexedMesh grid = meshes::flat_grid(7);
   const auto verdict = [&](bool is_whole_square, float share) {
     SurfaceExtras extras = in_stripes(grid, {3});
@@ -227,7 +227,9 @@ TEST_CASE("mq: a seam drags no chart of one face along, and one of two faces wit
     mq::Mesh mesh = built(grid, extras);
     mq::Worker worker = worker_of(mesh);
     const Corner c = corner(mesh, 24, 17);  // along the seam, away from the square over 24
-    return mq::judge(mesh, c, {share * mesh.edge(c), 0}, worker);
+    const mq::Placement placement{share * mesh.edge(c), 0};
+    CHECK(mq::judge(mesh, c, placement, worker, true) == Verdict::legal);
+    return mq::judge(mesh, c, placement, worker);
   };
   // The edge opposite 24 in the upper half of the square is as long as the one that collapses.
   CHECK(verdict(false, 0.45f) == Verdict::legal);
