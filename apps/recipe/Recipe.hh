@@ -70,7 +70,7 @@ PieceRule parse_pieces(const std::string& text);
 /// What is done to a mesh. The modules make stages that run one after the other: each module that decimates
 /// begins one, and stock binary modules constrain the one before them.
 struct Recipe {
-  std::vector<Spec> modules;  ///< in order
+  std::vector<Spec> modules;  ///< in order; none: only the pieces below a length vanish
   Target target;
   /// A bound on the two-sided distance to the input, sampled as measure::distance does. It holds for every
   /// module; where the target cannot be reached within it, the target is missed. A module without threshold
