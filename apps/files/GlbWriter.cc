@@ -54,6 +54,7 @@ int GlbWriter::add_mesh(const IndexedMesh& mesh, const Choice& choice) {
     if (attribute != nullptr) all.push_back(attribute);
   const Split vertices = split(mesh, all);
   if (model_.meshes.empty()) report_.first_vertex = first_of_each(vertices, mesh);
+  report_.doubled_vertices += vertices.vertex.size() - mesh.points.size();
 
   tinygltf::Primitive part;
   part.mode = mesh.triangles.empty() ? TINYGLTF_MODE_POINTS : TINYGLTF_MODE_TRIANGLES;

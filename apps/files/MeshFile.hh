@@ -119,7 +119,8 @@ std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
 struct WriteReport {
   std::vector<std::string> left_out;  ///< "colours", "property 'quality'"
   std::vector<std::string> reduced;   ///< lines: "coordinates rounded to 32-bit floats"
-  std::size_t doubled_vertices = 0;  ///< OBJ, PLY, OFF: written again for values that differ at their corners
+  /// OBJ, PLY, OFF, GLB (of all levels): written again for values that differ at their corners
+  std::size_t doubled_vertices = 0;
   /// For each vertex of the mesh the first of the file that stands for it; empty: they are the same
   std::vector<std::uint32_t> first_vertex;
 

@@ -8,6 +8,7 @@
 
 #include "recipe/Recipe.hh"
 #include "whittle/plan/CollapsePlan.hh"
+#include "whittle/plan/SeamRecord.hh"
 #include "whittle/surface/pieces.hh"
 
 namespace whittle::recipe {
@@ -33,6 +34,7 @@ class Progression {
   const attributes::Attributes* attributes_;
   attributes::SeamKinds seams_;
   std::vector<std::uint8_t> flags_, held_in_refit_;
+  detail::SeamRecord seam_record_;
   Pieces pieces_;
   CollapsePlan plan_;
   std::size_t least_;
