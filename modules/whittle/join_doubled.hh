@@ -56,26 +56,25 @@ JoinedT<Real> join_doubled(const IndexedMeshT<Real>& mesh, const std::vector<flo
   const std::vector<std::uint32_t> roots = detail::DoubledVertices(mesh).roots();
   JoinedT<Real> out;
   out.vertex_map.resize(n);
-  std::vector<std::vector<std::uint32_t>> kinds(n);  // of each root: the first vertex of each value
-  std::vector<std::uint32_t> same(n);
+  const auto value_of = [&](std::uint32_t v) {
+    return values.begin() + static_cast<std::ptrdiff_t>(n_values * v);
+  };
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  std::vector<std::uint32_t> same = roots;    // of those that become one, the first with equal values
+  std::vector<std::uint32_t> next(n, kNone);  // of such a first, the next
   for (std::uint32_t v = 0; v < n; ++v) {
-    const std::uint32_t root = roots[v];
-    if (root == v) {
+    if (roots[v] == v) {
       out.vertex_map[v] = static_cast<std::uint32_t>(out.mesh.points.size());
       out.mesh.points.push_back(mesh.points[v]);
-    } else {
-      out.vertex_map[v] = out.vertex_map[root];
-      ++out.joined;
+      continue;
     }
-    const auto value_of = [&](std::uint32_t w) {
-      return values.begin() + static_cast<std::ptrdiff_t>(n_values * w);
-    };
-    auto& known = kinds[root];
-    const auto found = std::find_if(known.begin(), known.end(), [&](std::uint32_t w) {
-      return std::equal(value_of(v), value_of(v) + static_cast<std::ptrdiff_t>(n_values), value_of(w));
-    });
-    same[v] = found == known.end() ? v : *found;
-    if (found == known.end()) known.push_back(v);
+    out.vertex_map[v] = out.vertex_map[roots[v]];
+    ++out.joined;
+    while (!std::equal(value_of(v), value_of(v + 1), value_of(same[v]))) {
+      if (next[same[v]] == kNone) next[same[v]] = v;
+      same[v] = next[same[v]];
+      if (same[v] == v) break;
+    }
   }
   out.mesh.triangles.reserve(mesh.triangles.size());
   out.wedges.reserve(mesh.triangles.size());
