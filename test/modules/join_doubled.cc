@@ -9,18 +9,17 @@
 using namespace whittle;
 using fixture::Mesh;
 using meshes::IndexedMesh;
-using Triangle = IndexedMesh::Triangle;
 
 namespace {
 
 /// A mesh whose vertices come once for each chart around them, and a value for each: the chart.
-struct Cut {
+struct CutMesh {
   IndexedMesh mesh;
   std::vector<float> chart;
 };
 
-Cut cut(const IndexedMesh& whole, const std::vector<std::uint32_t>& chart) {
-  Cut out;
+CutMesh cut_along(const IndexedMesh& whole, const std::vector<std::uint32_t>& chart) {
+  CutMesh out;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;
   for (std::size_t f = 0; f < whole.triangles.size(); ++f) {
     auto& corners = out.mesh.triangles.emplace_back();
@@ -37,7 +36,7 @@ Cut cut(const IndexedMesh& whole, const std::vector<std::uint32_t>& chart) {
   return out;
 }
 
-IndexedMesh mesh_of(std::vector<IndexedMesh::Point> points, std::vector<Triangle> triangles) {
+IndexedMesh made_of(std::vector<IndexedMesh::Point> points, std::vector<IndexedMesh::Triangle> triangles) {
   IndexedMesh mesh;
   mesh.points = std::move(points);
   mesh.triangles = std::move(triangles);
@@ -46,10 +45,10 @@ IndexedMesh mesh_of(std::vector<IndexedMesh::Point> points, std::vector<Triangle
 
 /// Two triangles on either side of the edge from (0, 0) to (1, 0), each with vertices of its own.
 IndexedMesh two_triangles() {
-  return mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  return made_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 5}});
 }
 
-IndexedMesh torus() {
+IndexedMesh shaken_torus() {
   return meshes::shaken(meshes::torus(32, 16), 0.01, 5);  // 1024 faces
 }
 
@@ -67,14 +66,14 @@ TEST_CASE("join_doubled: two faces at one edge get its vertices, and a wedge for
     IndexedMesh signed_zero = mesh;
     signed_zero.points[4].x() = zero;
     const auto joined = join_doubled(signed_zero);
-    CHECK(joined.mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {1, 0, 3}});
+    CHECK(joined.mesh.triangles == std::vector<IndexedMesh::Triangle>{{0, 1, 2}, {1, 0, 3}});
     CHECK(joined.mesh.points == std::vector<IndexedMesh::Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
     CHECK(joined.vertex_map == std::vector<std::uint32_t>{0, 1, 2, 1, 0, 3});
     CHECK(joined.joined == 2);
-    CHECK(joined.wedges == std::vector<Triangle>{{0, 1, 2}, {1, 0, 5}});
+    CHECK(joined.wedges == std::vector<IndexedMesh::Triangle>{{0, 1, 2}, {1, 0, 5}});
   }
   const auto joined = join_doubled(mesh, {1, 0, 2, 0, 3, 0, 2, 0.5f, 1, 0, 4, 0}, 2);
-  CHECK(joined.wedges == std::vector<Triangle>{{0, 1, 2}, {3, 0, 5}});
+  CHECK(joined.wedges == std::vector<IndexedMesh::Triangle>{{0, 1, 2}, {3, 0, 5}});
 }
 
 TEST_CASE("join_doubled: what is not a pair of open edges that run against each other stays apart") {
@@ -105,7 +104,7 @@ TEST_CASE("join_doubled: what is not a pair of open edges that run against each 
   stays(mesh);
   // Faces that touch in a vertex only.
   stays(
-      mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 5}}));
+      made_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 5}}));
 }
 
 TEST_CASE("join_doubled: no edge gets a third face") {
@@ -113,7 +112,7 @@ TEST_CASE("join_doubled: no edge gets a third face") {
   // the other to 4 and 5. A sheet from 2 to 5 hangs together with both at either end of the edge.
   const std::vector<IndexedMesh::Point> at = {{0, 0, 0},  {1, 0, 0},  {0, 1, 1},
                                               {0, 1, -1}, {0, -1, 1}, {0, -1, -1}};
-  const IndexedMesh mesh = mesh_of(
+  const IndexedMesh mesh = made_of(
       {at[0], at[1], at[2], at[3], at[0], at[1], at[4], at[5], at[0], at[2], at[5], at[1], at[5], at[2]},
       {{0, 1, 2}, {1, 0, 3}, {4, 5, 6}, {5, 4, 7}, {8, 9, 10}, {11, 12, 13}});
   const auto joined = join_doubled(mesh);
@@ -128,17 +127,17 @@ TEST_CASE("join_doubled: no edge gets a third face") {
 
 TEST_CASE("join_doubled: no face loses its area") {
   // Face 0 has the corners 0 and 1 at one place, and the faces around it meet there.
-  const IndexedMesh mesh = mesh_of({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {-1, -1, 0}},
+  const IndexedMesh mesh = made_of({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {-1, -1, 0}},
                                    {{0, 1, 2}, {2, 1, 3}, {3, 1, 4}, {0, 2, 5}});
   CHECK(join_doubled(mesh).joined == 0);
 }
 
 TEST_CASE(
     "join_doubled: a torus that was cut into charts is whole again, and stays closed when it is decimated") {
-  const IndexedMesh whole = torus();
+  const IndexedMesh whole = shaken_torus();
   for (const std::size_t size : {1u, 7u, 100u}) {
     const auto chart = meshes::grown_charts(whole, size, 2);
-    const Cut parts = cut(whole, chart);
+    const CutMesh parts = cut_along(whole, chart);
     REQUIRE(parts.mesh.points.size() > whole.points.size());
     const auto joined = join_doubled(parts.mesh, parts.chart, 1);
     CHECK(joined.mesh.points.size() == whole.points.size());
@@ -165,7 +164,7 @@ TEST_CASE(
 }
 
 TEST_CASE("join_doubled: a target that doubled vertices hold up says so") {
-  const Cut parts = cut(torus(), meshes::grown_charts(torus(), 1, 2));
+  const CutMesh parts = cut_along(shaken_torus(), meshes::grown_charts(shaken_torus(), 1, 2));
   DecimateOptions options;
   options.faces = 100;
   const auto held = decimate(parts.mesh, options);
@@ -183,8 +182,8 @@ TEST_CASE("join_doubled refuses what is no mesh, and values that do not fit") {
 }
 
 TEST_CASE("join_doubled: an OpenMesh mesh keeps its order and all properties, and seams are at half-edges") {
-  const IndexedMesh whole = torus();
-  const Cut parts = cut(whole, meshes::grown_charts(whole, 100, 2));
+  const IndexedMesh whole = shaken_torus();
+  const CutMesh parts = cut_along(whole, meshes::grown_charts(whole, 100, 2));
   Mesh mesh = fixture::to_openmesh<Mesh>(parts.mesh);
   mesh.request_vertex_texcoords2D();
   OpenMesh::VPropHandleT<int> of_vertex;
@@ -276,7 +275,7 @@ TEST_CASE("join_doubled: an OpenMesh mesh that cannot take the result stays as i
   REQUIRE(wheel.triangles.size() == 6);
   const auto hub = wheel.triangles[0][0];
   REQUIRE(std::all_of(wheel.triangles.begin(), wheel.triangles.end(),
-                      [&](const Triangle& t) { return t[0] == hub; }));
+                      [&](const IndexedMesh::Triangle& t) { return t[0] == hub; }));
   const auto n = static_cast<std::uint32_t>(wheel.points.size());
   wheel.points.push_back(wheel.points[hub]);
   wheel.points.push_back(wheel.points[wheel.triangles[5][1]]);
