@@ -38,9 +38,10 @@ struct Outcome {
   Status status = Status::unfinished;
   double seconds = 0;
   std::size_t faces_before = 0, faces_after = 0;
-  std::string message;                       ///< what the program said, or how it died
-  nlohmann::ordered_json attribute_changes;  ///< as `simplify` reports them; null where there are none
-  bool logged = true;                        ///< false: there was no room for its line in the log
+  std::string message;  ///< what the program said, or how it died
+  /// As `simplify` reports them; null where there is no report
+  nlohmann::ordered_json attribute_changes, charts, pieces;
+  bool logged = true;  ///< false: there was no room for its line in the log
 };
 
 std::string to_string(Outcome::Status status);

@@ -46,8 +46,13 @@ std::size_t count_at(const Json& record, const char* pointer) {
 void fill_counts(const Json& record, Outcome& outcome) {
   outcome.faces_before = count_at(record, "/report/input/faces");
   outcome.faces_after = count_at(record, "/report/output/faces");
-  const Json::json_pointer changes("/report/attribute_changes");
-  if (record.contains(changes)) outcome.attribute_changes = record[changes];
+  const auto part = [&](const char* name) {
+    const Json::json_pointer place(std::string("/report/") + name);
+    return record.contains(place) ? record[place] : Json();
+  };
+  outcome.attribute_changes = part("attribute_changes");
+  outcome.charts = part("charts");
+  outcome.pieces = part("pieces");
 }
 
 /// Size and time of the last change.
@@ -142,6 +147,8 @@ bool Memory::log(const Item& item, const Outcome& outcome) const {
                 {"faces_before", outcome.faces_before},
                 {"faces_after", outcome.faces_after},
                 {"seconds", outcome.seconds},
+                {"charts", outcome.charts},
+                {"pieces", outcome.pieces},
                 {"attribute_changes", outcome.attribute_changes},
                 {"message", outcome.message},
                 {"process", process_name()},

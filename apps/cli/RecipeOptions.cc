@@ -95,7 +95,9 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
       .add_option(
           "--pieces", options.pieces,
           "Which pieces, parts that share no vertex, may vanish as a whole: keep, none; by-error, those that "
-          "cost less than what else would have to go; LENGTH, those with a smaller bounding box")
+          "cost less than what else would have to go; LENGTH, those with a smaller bounding box, without a "
+          "target "
+          "or a module only these")
       ->type_name("RULE")
       ->capture_default_str();
   command.add_flag(
@@ -190,7 +192,9 @@ recipe::Recipe make_recipe(const RecipeOptions& options) {
     throw recipe::RecipeError(std::string("--pieces: ") + error.what());
   }
   recipe.force = options.force;
-  if (recipe.modules.empty()) {
+  const bool only_pieces =
+      recipe.pieces.what == recipe::PieceRule::What::below && !recipe.target.any() && !recipe.max_distance;
+  if (recipe.modules.empty() && !only_pieces) {
     if (!recipe.target.any() && !recipe.max_distance)
       throw recipe::RecipeError(
           "--module is required where neither --ratio, --faces, --vertices nor --max-distance is given");

@@ -105,6 +105,7 @@ std::string table(const std::vector<batch::Item>& items, const std::vector<Outco
                         outcome.faces_before, outcome.faces_after, outcome.seconds,
                         batch::to_string(outcome.status).c_str(), outcome.message.empty() ? "" : ": ",
                         text::printable(outcome.message).c_str());
+    out += vanished_lines(outcome.charts, outcome.pieces);
     out += changes_line(outcome.attribute_changes);
   }
   out += text::format("%zu meshes:", items.size());

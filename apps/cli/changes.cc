@@ -25,19 +25,13 @@ const Attribute* first_of(const attributes::Attributes& attributes, Kind kind) {
   return found == attributes.end() ? nullptr : &*found;
 }
 
-/// In texels of the image where it is known, else of 1,024 by 1,024.
-Json texture_change(const std::optional<files::ImageSize>& image, const files::MeshFile& in,
+Json texture_change(const std::optional<files::ImageSize>& size, const files::MeshFile& in,
                     const Attribute& before, const recipe::Result& result, const Attribute& after) {
   attributes::TextureErrorOptions options;
   options.samples = kSamples;
-  if (image) {
-    options.texels = image->width;
-    options.texels_high = image->height;
-  }
+  const Json image = count_in_texels_of(size, options);
   const auto error = attributes::texture_error(in.mesh, before, result.mesh, after, options);
-  return {{"rms_texels", error.rms},
-          {"max_texels", error.max},
-          {"image", image ? Json({{"width", image->width}, {"height", image->height}}) : Json(nullptr)}};
+  return {{"rms_texels", error.rms}, {"max_texels", error.max}, {"image", image}};
 }
 
 Json change_of(const std::optional<files::ImageSize>& image, const files::MeshFile& in,
@@ -53,6 +47,19 @@ Json change_of(const std::optional<files::ImageSize>& image, const files::MeshFi
 }
 
 }  // namespace
+
+Json count_in_texels_of(const std::optional<files::ImageSize>& image,
+                        attributes::TextureErrorOptions& options) {
+  if (!image) return nullptr;
+  options.texels = image->width;
+  options.texels_high = image->height;
+  return {{"width", image->width}, {"height", image->height}};
+}
+
+std::string texels_text(const Json& image) {
+  const bool is_known = image.contains("width") && image.contains("height");
+  return is_known ? "texels of " + image["width"].dump() + " x " + image["height"].dump() : "texels of 1,024";
+}
 
 Json attribute_changes(const std::optional<files::ImageSize>& image, const files::MeshFile& in,
                        const recipe::Result& result) {
@@ -82,14 +89,38 @@ std::string changes_line(const Json& changes) {
       out += text::format("%s%s %s and %s %s", out.empty() ? "" : ", ", of.c_str(),
                           figure(*number(rms)).c_str(), figure(*number(max)).c_str(), unit.c_str());
   };
-  const Json::json_pointer image("/texture/image/width"), height("/texture/image/height");
-  const bool is_known = changes.contains(image) && changes.contains(height);
+  const Json::json_pointer image("/texture/image");
   add("texture", "rms_texels", "max_texels",
-      is_known ? "texels of " + changes.at(image).dump() + " x " + changes.at(height).dump()
-               : "texels of 1,024");
+      texels_text(changes.contains(image) ? changes.at(image) : Json()));
   add("colours", "rms_255ths", "max_255ths", "of 255");
   add("normals", "rms_degrees", "max_degrees", "degrees");
   return out.empty() ? out : "  attributes off by, RMS and largest: " + out + "\n";
+}
+
+Json charts_json(const recipe::Result& result) {
+  return {{"before", result.charts}, {"gone", result.charts_gone}};
+}
+
+Json pieces_json(const recipe::Recipe& recipe, const recipe::Result& result) {
+  const std::size_t before = result.pieces_gone + result.attainable.pieces;
+  return {{"rule", recipe.pieces.text()},
+          {"before", before > 0 ? Json(before) : Json(nullptr)},
+          {"gone", result.pieces_gone},
+          {"faces_gone", result.faces_of_pieces_gone}};
+}
+
+std::string vanished_lines(const Json& charts, const Json& pieces) {
+  const auto count = [](const Json& of, const char* name) -> std::size_t {
+    return of.contains(name) && of[name].is_number_unsigned() ? of[name].get<std::size_t>() : 0;
+  };
+  std::string out;
+  if (const std::size_t gone = count(charts, "gone"), before = count(charts, "before"); gone > 0)
+    out += text::format("  %zu of %zu charts of the texture have vanished%s\n", gone, before,
+                        2 * gone > before ? "; --drop texture leaves it out, and the shape is truer" : "");
+  if (const std::size_t gone = count(pieces, "gone"); gone > 0)
+    out += text::format("  %zu of %zu pieces have vanished, with %zu faces of the input\n", gone,
+                        count(pieces, "before"), count(pieces, "faces_gone"));
+  return out;
 }
 
 }  // namespace whittle::cli

@@ -1,13 +1,47 @@
 #include <memory>
 
+#include "attributes/transfer.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
 #include "text/format.hh"
 #include "text/printable.hh"
+#include "whittle/surface/charts.hh"
 
 namespace whittle::cli {
 namespace {
+
+/// What texture coordinates cut the surface into: pieces, and along seams.
+std::size_t charts_of(const files::MeshFile& in, const attributes::Attribute& texture) {
+  const auto wedges = attributes::seam_wedges({texture});
+  return charts(in.mesh.triangles, wedges.empty() ? in.mesh.triangles : wedges).count;
+}
+
+/// Each attribute with its place: at vertices, or at corners where a vertex has several values.
+Json attributes_json(const files::MeshFile& in) {
+  Json out = Json::array();
+  for (const attributes::Attribute& a : in.attributes) {
+    Json one = {{"name", attributes::to_string(a)},
+                {"at", a.per_vertex() ? "vertices" : "corners"},
+                {"components", a.components},
+                {"values", a.n_values()}};
+    if (a.kind == attributes::Kind::texture) one["charts"] = charts_of(in, a);
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+std::string attributes_text(const Json& attributes) {
+  std::string out;
+  for (const Json& a : attributes) {
+    out += text::format("  %-22s %s at %s", text::printable(a["name"].get<std::string>()).c_str(),
+                        a["values"].dump().c_str(), a["at"].get<std::string>().c_str());
+    if (const auto charts = a.find("charts"); charts != a.end())
+      out += ", " + charts->dump() + (*charts == 1 ? " chart" : " charts");
+    out += "\n";
+  }
+  return out;
+}
 
 std::string table(const std::string& path, const std::string& format, const measure::MeshFacts& f) {
   std::string out = text::printable(path) + " (" + format + ")\n";
@@ -56,11 +90,14 @@ Command add_info(CLI::App& app) {
     const files::MeshFile in = files::read_mesh(options->mesh);
     if (!options->quiet) print_notes(options->mesh, in.report);
     const measure::MeshFacts facts = measure::facts(in.mesh);
+    const Json attributes = attributes_json(in);
     outputs.write("--json", json_text({{"command", "info"},
                                        {"file", options->mesh},
                                        {"read", to_json(in.report)},
-                                       {"mesh", to_json(facts)}}));
-    if (!options->quiet && options->json != "-") print_text(table(options->mesh, in.report.format, facts));
+                                       {"mesh", to_json(facts)},
+                                       {"attributes", attributes}}));
+    if (!options->quiet && options->json != "-")
+      print_text(table(options->mesh, in.report.format, facts) + attributes_text(attributes));
     outputs.commit();
     return 0;
   };

@@ -131,6 +131,8 @@ Json describe(const Options& options, const files::MeshFile& in, const std::vect
                     {"target_reached", level.target_reached()},
                     {"flipped_faces", level.result.flipped_faces},
                     {"distance", to_json(level.distance)},
+                    {"charts", charts_json(level.result)},
+                    {"pieces", pieces_json(recipe_for(options, level.wanted), level.result)},
                     {"attribute_changes", level.changes},
                     {"stages", stages},
                     {"file", level.file}});
@@ -141,7 +143,7 @@ Json describe(const Options& options, const files::MeshFile& in, const std::vect
           {"levels", list}};
 }
 
-std::string table(const files::MeshFile& in, const std::vector<Level>& levels) {
+std::string table(const Options& options, const files::MeshFile& in, const std::vector<Level>& levels) {
   std::string out = text::format("%5s %10s %10s %14s %14s  %s\n", "level", "vertices", "faces",
                                  "RMS, % of box", "max, % of box", "file");
   out += text::format("%5d %10zu %10zu %14s %14s\n", 0, in.mesh.points.size(), in.mesh.triangles.size(), "0",
@@ -152,6 +154,8 @@ std::string table(const files::MeshFile& in, const std::vector<Level>& levels) {
         "%5zu %10zu %10zu %14s %14s  %s\n", i + 1, levels[i].result.mesh.points.size(),
         levels[i].result.mesh.triangles.size(), figure(100 * d.two_sided.rms / d.diagonal).c_str(),
         figure(100 * d.two_sided.max / d.diagonal).c_str(), text::printable(levels[i].file).c_str());
+    out += vanished_lines(charts_json(levels[i].result),
+                          pieces_json(recipe_for(options, levels[i].wanted), levels[i].result));
     out += changes_line(levels[i].changes);
   }
   return out;
@@ -221,7 +225,7 @@ int lods(Options options) {
     complain("the refit of " + std::to_string(n) +
              " levels would break the bound on the distance and was left out");
   int code = 0;
-  if (!options.quiet && options.json != "-" && !print_summary(table(in, levels))) code = 1;
+  if (!options.quiet && options.json != "-" && !print_summary(table(options, in, levels))) code = 1;
   for (const Level& level : levels)
     if (!level.target_reached()) {
       complain("a level has " + std::to_string(level.result.mesh.triangles.size()) + " faces where " +

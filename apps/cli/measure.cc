@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "attributes/TextureError.hh"
+#include "cli/changes.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
@@ -33,10 +34,9 @@ std::optional<attributes::TextureError> slid(const files::MeshFile& original,
   }
 }
 
-std::string line(const attributes::TextureError& e, double texels) {
-  return text::format("%-22s %14s %14s   of a texture of %s across; %zu of %zu charts left\n",
-                      "texture, RMS and max", figure(e.rms).c_str(), figure(e.max).c_str(),
-                      figure(texels).c_str(), e.charts_left, e.charts);
+std::string line(const attributes::TextureError& e, const std::string& texels) {
+  return text::format("%-22s %14s %14s   %s; %zu of %zu charts left\n", "texture, RMS and max",
+                      figure(e.rms).c_str(), figure(e.max).c_str(), texels.c_str(), e.charts_left, e.charts);
 }
 
 std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, const measure::Distance& d) {
@@ -76,7 +76,7 @@ Command add_measure(CLI::App& app) {
   struct Options {
     std::string original, simplified, json;
     std::size_t samples = measure::DistanceOptions().samples;
-    double texels = attributes::TextureErrorOptions().texels;
+    std::optional<double> texels;
     bool quiet = false;
   };
   const auto options = std::make_shared<Options>();
@@ -86,9 +86,12 @@ Command add_measure(CLI::App& app) {
   command->add_option("--samples", options->samples, "Sample points on each surface, besides the vertices")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
       ->capture_default_str();
-  command->add_option("--texels", options->texels, "Size of the texture that its figures are in")
-      ->check(CLI::Range(1.0, 1e6))
-      ->capture_default_str();
+  command
+      ->add_option(
+          "--texels", options->texels,
+          "Size of the texture that its figures are in. Default: that of the original's image, as simplify "
+          "has it, else 1024")
+      ->check(CLI::Range(1.0, 1e6));
   command->add_option("--json", options->json, "Write the figures as JSON to a file, or to stdout for -");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->footer("Example:\n  whittle measure bunny.ply small.ply");
@@ -109,16 +112,22 @@ Command add_measure(CLI::App& app) {
     const measure::MeshFacts before = measure::facts(original.mesh), after = measure::facts(simplified.mesh);
     attributes::TextureErrorOptions on_texture;
     on_texture.samples = options->samples;
-    on_texture.texels = options->texels;
+    const Json image = options->texels
+                           ? Json(nullptr)
+                           : count_in_texels_of(files::texture_image_size(original.parts), on_texture);
+    on_texture.texels = options->texels.value_or(on_texture.texels);
     const auto texture = slid(original, simplified, on_texture);
+    Json of_texture = texture ? to_json(*texture, on_texture.texels) : Json(nullptr);
+    if (texture) of_texture["image"] = image;
     outputs.write("--json",
                   json_text({{"command", "measure"},
                              {"original", {{"file", options->original}, {"mesh", to_json(before)}}},
                              {"simplified", {{"file", options->simplified}, {"mesh", to_json(after)}}},
                              {"distance", to_json(distance)},
-                             {"texture", texture ? to_json(*texture, options->texels) : Json(nullptr)}}));
+                             {"texture", of_texture}}));
+    const std::string texels = options->texels ? "texels of " + figure(*options->texels) : texels_text(image);
     if (!options->quiet && options->json != "-")
-      print_text(table(before, after, distance) + (texture ? line(*texture, options->texels) : ""));
+      print_text(table(before, after, distance) + (texture ? line(*texture, texels) : ""));
     outputs.commit();
     return 0;
   };

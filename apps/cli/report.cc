@@ -68,7 +68,10 @@ std::string why_missed(const recipe::Recipe& recipe, const files::ReadReport& re
   const bool pieces_would_go = !why.empty() && result.attainable.small > 0 && read.lone_faces == 0 &&
                                read.edges_left_open == 0 &&
                                recipe.pieces.what != recipe::PieceRule::What::by_error;
+  std::size_t at_seams = result.attainable.charts + result.held_on_seams;
+  for (const recipe::StageResult& stage : result.stages) at_seams += stage.record.refused_by_seam;
   return why + (pieces_would_go ? "; --pieces by-error lets pieces go" : "") +
+         (!why.empty() && at_seams > 0 ? "; --drop texture leaves the texture out, with its seams" : "") +
          (result.attainable.is_higher ? "; --force goes on" : "");
 }
 

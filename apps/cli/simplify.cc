@@ -118,11 +118,8 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
           {"locks", options.locks},
           {"vertices_locked", result.held - result.held_on_seams},
           {"vertices_held_on_seams", result.held_on_seams},
-          {"charts", {{"before", result.charts}, {"gone", result.charts_gone}}},
-          {"pieces",
-           {{"rule", recipe.pieces.text()},
-            {"gone", result.pieces_gone},
-            {"faces_gone", result.faces_of_pieces_gone}}},
+          {"charts", charts_json(result)},
+          {"pieces", pieces_json(recipe, result)},
           {"weights", options.weights.empty() ? Json(nullptr) : Json(options.weights)},
           {"stages", stages},
           {"refit", refit_json(result)},
@@ -136,8 +133,8 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
           {"nonmanifold_faces_dropped", result.refused_faces}};
 }
 
-std::string summary(const Options& options, const files::MeshFile& in, const Json& changes,
-                    const recipe::Result& result, const std::string& materials) {
+std::string summary(const Options& options, const recipe::Recipe& recipe, const files::MeshFile& in,
+                    const Json& changes, const recipe::Result& result, const std::string& materials) {
   const double before = static_cast<double>(in.mesh.triangles.size());
   const double after = static_cast<double>(result.mesh.triangles.size());
   std::string out =
@@ -145,14 +142,8 @@ std::string summary(const Options& options, const files::MeshFile& in, const Jso
                    text::printable(options.out).c_str(), result.mesh.triangles.size(),
                    in.mesh.triangles.size(), before > 0 ? 100 * (1 - after / before) : 0,
                    result.mesh.points.size(), result.flipped_faces, 1e3 * result.seconds());
-  if (result.charts_gone > 0)
-    out +=
-        text::format("  %zu of %zu charts of the texture have vanished\n", result.charts_gone, result.charts);
+  out += vanished_lines(charts_json(result), pieces_json(recipe, result));
   if (!materials.empty()) out += "  " + text::printable(materials) + "\n";
-  if (result.pieces_gone > 0)
-    out +=
-        text::format("  %zu of %zu pieces have vanished, with %zu faces of the input\n", result.pieces_gone,
-                     result.pieces_gone + result.attainable.pieces, result.faces_of_pieces_gone);
   if (result.distance) out += text::format("  distance to the input: %s\n", figure(*result.distance).c_str());
   out += changes_line(changes);
   if (!options.verbose) return out;
@@ -271,7 +262,7 @@ int simplify(const Options& options) {
   int code = complain_about_misses(recipe, in, result);
   const bool stdout_is_taken = options.out == "-" || options.map == "-" || options.json == "-";
   if (!options.quiet && !stdout_is_taken &&
-      !print_summary(summary(options, in, changes, result, out.report.materials)))
+      !print_summary(summary(options, recipe, in, changes, result, out.report.materials)))
     code = 1;
   return code;
 }

@@ -125,6 +125,7 @@ int GlbWriter::add_mesh(const IndexedMesh& mesh, const attributes::Attributes& a
     begin += static_cast<std::uint32_t>(
         model_.accessors[static_cast<std::size_t>(result.primitives.back().attributes["POSITION"])].count);
   }
+  report_.doubled_vertices -= std::min(report_.doubled_vertices, mesh.points.size());
   if (model_.meshes.empty()) report_.first_vertex = std::move(first);
   model_.meshes.push_back(std::move(result));
   return to_int(model_.meshes.size() - 1);
@@ -139,6 +140,7 @@ std::vector<std::uint32_t> GlbWriter::add_part(const IndexedMesh& mesh,
   for (const Attribute* attribute : {choice.normal, choice.colour, choice.texture})
     if (attribute != nullptr) all.push_back(attribute);
   const Split vertices = split(mesh, all);
+  report_.doubled_vertices += vertices.vertex.size();
 
   tinygltf::Primitive part;
   part.mode = mesh.triangles.empty() ? TINYGLTF_MODE_POINTS : TINYGLTF_MODE_TRIANGLES;

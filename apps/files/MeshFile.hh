@@ -140,7 +140,8 @@ struct WriteReport {
   std::vector<std::string> reduced;   ///< lines: "coordinates rounded to 32-bit floats"
   /// What became of the materials, a line: "materials in two.mtl"; empty: there are none
   std::string materials;
-  std::size_t doubled_vertices = 0;  ///< OBJ, PLY, OFF: written again for values that differ at their corners
+  /// OBJ, PLY, OFF, GLB (of all levels): written again for values that differ at their corners
+  std::size_t doubled_vertices = 0;
   /// For each vertex of the mesh the first of the file that stands for it; empty: they are the same
   std::vector<std::uint32_t> first_vertex;
 

@@ -1,5 +1,6 @@
 #include "measure/smooth_limit.hh"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -26,6 +26,7 @@ Progression::Progression(const IndexedMesh& mesh, const Givens& givens, const Mo
   plan_seconds_ = watch.lap();
   pieces_ = pieces_of(mesh);
   held_in_refit_ = held_in_refit(mesh, givens);
+  seam_record_ = detail::SeamRecord(mesh, wedges_of(givens_));
   for (const Collapse& collapse : plan_.collapses) least_ -= collapse.faces;
 }
 
@@ -37,6 +38,10 @@ Result Progression::at(std::size_t faces, bool with_refit) const {
   while (n < plan_.collapses.size() && left > result.attainable.target.faces)
     left -= plan_.collapses[n++].faces;
   auto executed = execute(plan_, mesh_, n);
+  if (!seam_record_.empty()) {
+    result.charts = seam_record_.charts.count;
+    result.charts_gone = count_vanished(seam_record_.charts, executed.face_origin);
+  }
   if (with_refit) {
     RefitOptions options;
     options.flags = held_in_refit_;

@@ -8,6 +8,7 @@
 
 #include "recipe/Recipe.hh"
 #include "whittle/plan/CollapsePlan.hh"
+#include "whittle/plan/SeamRecord.hh"
 #include "whittle/surface/pieces.hh"
 
 namespace whittle::recipe {
@@ -32,6 +33,7 @@ class Progression {
   const IndexedMesh& mesh_;
   Givens givens_;
   std::vector<std::uint8_t> held_in_refit_;
+  detail::SeamRecord seam_record_;
   Pieces pieces_;
   CollapsePlan plan_;
   std::size_t least_;

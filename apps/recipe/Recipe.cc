@@ -45,23 +45,21 @@ void add_values(const IndexedMesh& mesh, const attributes::Attributes& attribute
   extras.n_values = values.count;
 }
 
-std::vector<IndexedMesh::Triangle> wedges_of(const Givens& givens) {
-  const attributes::Attributes none;
-  return attributes::seam_wedges(givens.attributes ? *givens.attributes : none, givens.seams, givens.areas);
-}
-
 /// For a run: flags and tolerances that were given, the seams of the attributes, and their values where the
 /// first module weighs them.
-SurfaceExtras extras(const IndexedMesh& mesh, const Spec& module, const Scale& scale, const Givens& givens) {
+SurfaceExtras extras(const IndexedMesh& mesh, const std::vector<Spec>& modules, const Scale& scale,
+                     const Givens& givens) {
   SurfaceExtras extras;
   extras.flags = givens.flags;
   extras.tolerance = givens.tolerance;
-  const ValueWeights weights = value_weights(
-      module, scale,
-      givens.attributes ? attributes::default_weights(mesh, *givens.attributes) : ValueWeights());
-  if (weights.any())
-    add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), module, weights,
-               extras);
+  if (!modules.empty()) {
+    const ValueWeights weights = value_weights(
+        modules.front(), scale,
+        givens.attributes ? attributes::default_weights(mesh, *givens.attributes) : ValueWeights());
+    if (weights.any())
+      add_values(mesh, givens.attributes ? *givens.attributes : attributes::Attributes(), modules.front(),
+                 weights, extras);
+  }
   if (!givens.attributes && givens.areas.empty()) return extras;
   extras.wedges = wedges_of(givens);
   flag_seams(mesh, extras);
@@ -112,7 +110,7 @@ Task make_task(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& mon
   if (givens.diagonal > 0) scale.diagonal = givens.diagonal;
   return {mesh,           stages_of(recipe),
           scale,          count_of(recipe.target, mesh),
-          recipe.samples, extras(mesh, recipe.modules.front(), scale, givens),
+          recipe.samples, extras(mesh, recipe.modules, scale, givens),
           monitor};
 }
 
@@ -127,18 +125,10 @@ bool keeps_bound(const IndexedMesh& input, const IndexedMesh& mesh, std::optiona
   return true;
 }
 
-/// Where values count, vertices move along their normals only, as on seams: under those that slide along the surface the
-/// texture would slide, too.
-void hold_to_normals(bool values_count, std::vector<std::uint8_t>& flags) {
-  if (!values_count) return;
-  for (std::uint8_t& flag : flags) flag |= kSeam;
-}
-
 /// Refits the result, unless that breaks the bound.
 void refit_result(const Task& task, std::optional<double> bound, Result& result) {
   RefitOptions options;
   options.flags = detail::refit_flags(task.mesh, task.extras);
-  hold_to_normals(task.extras.n_values > 0, options.flags);
   Stopwatch watch;
   IndexedMesh mesh = result.mesh;
   const RefitReport report = refit(task.mesh, mesh, result.vertex_map, result.face_origin, options);
@@ -288,9 +278,11 @@ double Result::seconds() const {
 
 bool wants_refit(const Recipe& recipe) {
   if (recipe.refit) return *recipe.refit;
-  const Stage last = stages_of(recipe).back();
-  const Module& module = find_module(last.module.name);
-  return module.refits && !recipe.max_distance && (module.bound.empty() || !last.module.has(module.bound));
+  const std::vector<Stage> stages = stages_of(recipe);
+  if (stages.empty()) return false;
+  const Spec& last = stages.back().module;
+  const Module& module = find_module(last.name);
+  return module.refits && !recipe.max_distance && (module.bound.empty() || !last.has(module.bound));
 }
 
 std::vector<std::uint8_t> held_in_refit(const IndexedMesh& mesh, const Givens& givens) {
@@ -298,9 +290,13 @@ std::vector<std::uint8_t> held_in_refit(const IndexedMesh& mesh, const Givens& g
   held.flags = givens.flags;
   held.tolerance = givens.tolerance;
   held.wedges = wedges_of(givens);
-  std::vector<std::uint8_t> flags = detail::refit_flags(mesh, held);
-  hold_to_normals(givens.attributes && attributes::default_weights(mesh, *givens.attributes).any(), flags);
-  return flags;
+  if (givens.attributes) held.n_values = attributes::default_weights(mesh, *givens.attributes).any() ? 1 : 0;
+  return detail::refit_flags(mesh, held);
+}
+
+std::vector<IndexedMesh::Triangle> wedges_of(const Givens& givens) {
+  const attributes::Attributes none;
+  return attributes::seam_wedges(givens.attributes ? *givens.attributes : none, givens.seams, givens.areas);
 }
 
 std::vector<std::uint32_t> parts_of(const Givens& givens, const Decimated& result) {
@@ -340,6 +336,7 @@ CollapsePlan plan(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& 
                   const Givens& givens) {
   Task task = make_task(mesh, recipe, monitor, givens);
   choose_pieces(recipe, task);
+  if (task.stages.empty()) return {{}, {0}, {}};
   Stage stage = task.stages.front();
   if (!stage.is_planned() || task.is_target_met(mesh)) return {{}, {0}, {}};
   find_threshold(task, stage, mesh, task.extras);

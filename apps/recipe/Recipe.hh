@@ -70,7 +70,7 @@ PieceRule parse_pieces(const std::string& text);
 /// What is done to a mesh. The modules make stages that run one after the other: each module that decimates
 /// begins one, and stock binary modules constrain the one before them.
 struct Recipe {
-  std::vector<Spec> modules;  ///< in order
+  std::vector<Spec> modules;  ///< in order; none: only the pieces below a length vanish
   Target target;
   /// A bound on the two-sided distance to the input, sampled as measure::distance does. It holds for every
   /// module; where the target cannot be reached within it, the target is missed. A module without threshold
@@ -172,6 +172,9 @@ bool wants_refit(const Recipe& recipe);
 
 /// What a refit holds: what the givens hold, and the seams of their attributes.
 std::vector<std::uint8_t> held_in_refit(const IndexedMesh& mesh, const Givens& givens);
+
+/// What makes seams, as SurfaceExtras has it; empty where nothing does.
+std::vector<IndexedMesh::Triangle> wedges_of(const Givens& givens);
 
 /// For each face the part of the one that it was; empty where no parts were given.
 std::vector<std::uint32_t> parts_of(const Givens& givens, const Decimated& result);

@@ -39,7 +39,9 @@ std::vector<Stage> stages_of(const Recipe& recipe) {
       stages.back().constraints.push_back(spec);
     }
   }
-  if (stages.empty())
+  const bool only_pieces =
+      recipe.pieces.what == PieceRule::What::below && !recipe.target.any() && !recipe.max_distance;
+  if (stages.empty() && !only_pieces)
     throw RecipeError("no module given, and no target that the default, " + default_module().name +
                       ", could go to");
   for (Stage& stage : stages) stage.driver = choose_driver(recipe.driver, stage);
@@ -47,8 +49,9 @@ std::vector<Stage> stages_of(const Recipe& recipe) {
 }
 
 std::uint8_t flags_that_hold(const std::vector<Stage>& stages) {
-  const bool seams_move =
-      std::any_of(stages.begin(), stages.end(), [](const Stage& stage) { return moves_seams(stage.module); });
+  const bool seams_move = stages.empty() || std::any_of(stages.begin(), stages.end(), [](const Stage& stage) {
+                            return moves_seams(stage.module);
+                          });
   return static_cast<std::uint8_t>(kLocked | kFeature | (seams_move ? 0 : kSeam));
 }
 

@@ -178,7 +178,7 @@ class ModGuardedQuadricT : public OpenMesh::Decimater::ModBaseT<MeshT>, public E
 
   static constexpr std::size_t kMany = 64;  // faces, of which a vertex with more is a hub
   double max_err_ = std::numeric_limits<double>::max();
-  double boundary_weight_ = 10, seam_weight_ = detail::kSeamWeight, min_cos_ = 0.2;
+  double boundary_weight_ = 10, seam_weight_ = 0.4, min_cos_ = 0.2;
   bool keeps_charts_ = false;
   OpenMesh::VPropHandleT<float> weight_;
   std::vector<Quadric> quadrics_;  // of each vertex

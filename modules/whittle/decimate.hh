@@ -21,6 +21,7 @@
 #include "whittle/planners/MemorylessQuadric.hh"
 #include "whittle/planners/PieceChoice.hh"
 #include "whittle/refit/refit.hh"
+#include "whittle/surface/doubled.hh"
 
 namespace whittle {
 
@@ -38,8 +39,9 @@ namespace whittle {
 /// normal, colour and texture coordinates, those of half-edges too, are those at the nearest point of the input, and
 /// face normals are computed anew. Vertices with status locked or feature stay where they are. Those on a seam of
 /// half-edge texture coordinates merge along the seam with MemorylessQuadric, and both sides take the coordinates of one
-/// place of it; with other planners they stay. The status properties are requested for the call and released again;
-/// elements that were deleted before are removed, too. If it throws, the mesh is as it was.
+/// place of it; with other planners they stay. A mesh that has a vertex for each texture coordinate instead
+/// wants `join_doubled` first. The status properties are requested for the call and released again; elements that were
+/// deleted before are removed, too. If it throws, the mesh is as it was.
 /// \param planner  what decides which vertices merge; MemorylessQuadric goes to a target with the least change of shape.
 /// \throw InvalidParameter  an option or a parameter outside its range, a tolerance or weight that is.
 /// \throw InvalidMesh       a face is not a triangle, a coordinate is not finite.
@@ -79,6 +81,7 @@ DecimateReport decimate(Mesh& mesh, const DecimateOptions& options, const Planne
   report.vertices = decimater.report().vertices;
   report.record = module.plan().record;
   report.refit = module.refit_report();
+  report.doubled = module.n_doubled();
   module.remove_pieces(report);
   module.count(detail::moves_seams(ready), report);
   detail::conclude(target, report);
@@ -144,6 +147,7 @@ DecimatedT<Real> decimate(const IndexedMeshT<Real>& mesh, const DecimateOptions&
   detail::add_locks(mesh, options, extras.flags);
   const std::vector<std::uint8_t> flags = extras.flags;
   extras = detail::checked(mesh, std::move(extras));
+  out.doubled = detail::count_doubled(mesh);
   const bool with_refit = detail::wants_refit(ready, options.refit);
   SurfaceExtras held;
   const detail::SeamRecord seams(mesh, extras.wedges);

@@ -45,12 +45,12 @@ TEST_CASE("a folder gives its meshes and those of the folders in it, in order, w
   CHECK(items_of(in, in / "out", "glb")[0].out == in / "out/a.glb");
 }
 
-TEST_CASE("glTF, which is only read, becomes GLB") {
+TEST_CASE("a .gltf stays one") {
   const scratch::Folder folder;
   touch(folder.path() / "a.gltf");
   const auto items = items_of(folder.path(), "out", "");
   REQUIRE(items.size() == 1);
-  CHECK(items[0].out == "out/a.glb");
+  CHECK(items[0].out == "out/a.gltf");
 }
 
 TEST_CASE("a manifest names meshes relative to itself") {

@@ -19,10 +19,15 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "catch.hh"
 #include "meshes.hh"
 #include "whittle/bulk.hh"
+#include "whittle/decimate.hh"
+#include "whittle/join_doubled.hh"
 #include "whittle/openmesh/convert.hh"
 #include "whittle/planners/MemorylessQuadric.hh"
 #include "whittle/refit.hh"
@@ -120,6 +125,32 @@ TEST_CASE("header of refit: the example reaches its target, and makes what bulk 
   const auto by_default = whittle::bulk(planner, mesh);
   CHECK(result.mesh.triangles == by_default.mesh.triangles);
   CHECK(result.mesh.points == by_default.mesh.points);
+}
+
+TEST_CASE("header of join_doubled: the example keeps a torus closed that was cut along its texture") {
+  const whittle::IndexedMesh whole = meshes::torus(96, 48);
+  whittle::IndexedMesh mesh;  // a vertex for each side of the cut
+  std::vector<float> texture;
+  std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known;
+  for (std::size_t f = 0; f < whole.triangles.size(); ++f) {
+    const bool second = f >= whole.triangles.size() / 2;
+    auto& corners = mesh.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = whole.triangles[f][k];
+      const auto fresh = static_cast<std::uint32_t>(mesh.points.size());
+      const auto [found, is_new] = known.emplace(std::pair(v, second), fresh);
+      corners[k] = found->second;
+      if (!is_new) continue;
+      mesh.points.push_back(whole.points[v]);
+      texture.insert(texture.end(), {second ? 1.0f : 0.0f, 0.0f});
+    }
+  }
+#include "header_join_doubled.inc"
+  CHECK(joined.mesh.points.size() == whole.points.size());
+  CHECK(small.target_reached);
+  CHECK(small.charts == 2);
+  const Mesh left = to_mesh(small.mesh);
+  for (const auto e : left.edges()) CHECK_FALSE(left.is_boundary(e));
 }
 
 TEST_CASE("README: the module in a decimater leaves a mesh that can be written") {

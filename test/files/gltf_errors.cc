@@ -113,7 +113,7 @@ TEST_CASE("glTF: unknown versions and required extensions are refused") {
 
 TEST_CASE("glTF: data outside the file are refused") {
   CHECK(error_of([](Json& j) { j["buffers"][0]["uri"] = "../a.bin"; }) ==
-        "a.gltf: its data are in the file '../a.bin'; glTF is read only with all data inside");
+        "a.gltf: its data are outside of its folder, in '../a.bin'");
   CHECK(error_of([](Json& j) { j["buffers"][0]["uri"] = "data:text/plain,abc"; }) ==
         "a.gltf: its data are not in base64");
   CHECK(error_of([](Json& j) { j["buffers"][0]["uri"] = "data:;base64,?"; }) == "a.gltf: damaged base64");

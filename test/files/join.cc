@@ -149,8 +149,11 @@ TEST_CASE("join: a file is written with the vertices doubled that it has been re
   CHECK(write_mesh(folder / "b.ply", square(), options, {square_seam()}).doubled_vertices == 0);
   CHECK_FALSE(read_mesh(folder / "b.ply").texture_at_vertices);
   // GLB doubles vertices in any case, and says which is which.
-  CHECK(write_mesh(folder / "a.glb", square(), {}, {square_seam()}).first_vertex ==
-        std::vector<std::uint32_t>{0, 2, 3, 5});
+  const WriteReport of_glb = write_mesh(folder / "a.glb", square(), {}, {square_seam()});
+  CHECK(of_glb.first_vertex == std::vector<std::uint32_t>{0, 2, 3, 5});
+  CHECK(of_glb.doubled_vertices == 2);
+  const Level level{square(), {square_seam()}};
+  CHECK(write_glb_levels(folder / "b.glb", {level, level}).doubled_vertices == 4);
 }
 
 TEST_CASE("join: closed surfaces of faces on their own are closed again") {

@@ -72,14 +72,14 @@ TEST_CASE("OBJ: what is not read is named once") {
   const MeshFile file = folder.read("a.obj",
                                     "mtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0\nv 0 1 0 1\ng x\ns off\n"
                                     "usemtl red\nl 1 2\np 1\nvp 0 0\nlod 3\nvt 0 0 0.5\nvn 0 0 1\nf 1 2 3\n");
-  CHECK(file.report.ignored == Names{"materials", "groups", "vertex weights", "lines", "points",
-                                     "free-form geometry", "display settings",
-                                     "depths of texture coordinates", "texture coordinates that no face uses",
-                                     "normals that no face uses"});
+  CHECK(file.report.ignored == Names{"vertex weights", "lines", "points", "free-form geometry",
+                                     "display settings", "depths of texture coordinates",
+                                     "texture coordinates that no face uses", "normals that no face uses"});
   CHECK(file.report.notes() ==
-        Names{"not read: materials, groups, vertex weights, lines, points, free-form geometry, display "
+        Names{"not read: vertex weights, lines, points, free-form geometry, display "
               "settings, depths of texture coordinates, texture coordinates that no face uses, normals that "
-              "no face uses"});
+              "no face uses",
+              "not found in its folder: a.mtl"});
 }
 
 TEST_CASE("OBJ: a mesh without faces is read") {

@@ -17,6 +17,7 @@
 #include <whittle/bulk.hh>
 #include <whittle/compact.hh>
 #include <whittle/decimate.hh>
+#include <whittle/join_doubled.hh>
 #include <whittle/openmesh/convert.hh>
 #include <whittle/refit.hh>
 #include <whittle/version.hh>
@@ -62,6 +63,8 @@ void every_function(Mesh& mesh) {
   whittle::DecimateOptions options;
   options.ratio = 0.5;
   whittle::decimate(arrays, options);
+  whittle::decimate(whittle::join_doubled(arrays).mesh, options);
+  whittle::join_doubled(mesh);
   whittle::decimate(mesh, options);
   whittle::decimate(mesh, options, whittle::VertexDistance());
   whittle::delaunay_flips(mesh);

@@ -10,6 +10,7 @@
 #include "measure/Distance.hh"
 #include "meshes.hh"
 #include "whittle/bulk.hh"
+#include "whittle/decimate.hh"
 #include "whittle/planners/MemorylessQuadric.hh"
 #include "whittle/planners/VertexDistance.hh"
 
@@ -60,6 +61,19 @@ MemorylessQuadric to_faces(std::size_t faces) {
   MemorylessQuadric planner;
   planner.target_faces = faces;
   return planner;
+}
+
+/// Of the vertices that a refit has moved, the least cosine between the move and the normal before it.
+double least_along_normal(const IndexedMesh& plain, const IndexedMesh& fitted) {
+  std::vector<Eigen::Vector3d> areas(plain.points.size(), Eigen::Vector3d::Zero());
+  for (const auto& [a, b, c] : plain.triangles)
+    for (const std::uint32_t v : {a, b, c})
+      areas[v] += (plain.points[b] - plain.points[a]).cross(plain.points[c] - plain.points[a]);
+  double least = 1;
+  for (std::size_t v = 0; v < areas.size(); ++v)
+    if (const Eigen::Vector3d move = fitted.points[v] - plain.points[v]; !move.isZero())
+      least = std::min(least, std::abs(move.normalized().dot(areas[v].normalized())));
+  return least;
 }
 
 double rms(const IndexedMesh& original, const IndexedMesh& mesh) {
@@ -274,6 +288,43 @@ TEST_CASE("arrays that are refitted keep what a tolerance of 0 holds, and seams 
                     .cross(plain.mesh.points[t[2]] - plain.mesh.points[t[0]]);
     CHECK(std::abs(move.normalized().dot(area.normalized())) >
           0.85);  // it turns a little from round to round
+  }
+}
+
+TEST_CASE("where values count a refit moves vertices along their normals only") {
+  const IndexedMesh torus = meshes::shaken(meshes::torus(32, 16), 0.002, 3);
+  const std::size_t n = torus.points.size();
+  for (const bool values_count : {false, true}) {
+    SurfaceExtras extras;
+    if (values_count) {
+      extras.n_values = 1;
+      for (const auto& p : torus.points) extras.values.push_back(0.1f * static_cast<float>(p.x()));
+    }
+    const auto by_bulk = [&](bool refit) {
+      BulkOptions options;
+      options.extras = extras;
+      options.refit = refit;
+      return bulk(to_faces(500), torus, options).mesh;
+    };
+    const auto by_decimate = [&](bool refit) {
+      DecimateOptions options;
+      options.faces = 500;
+      options.refit = refit;
+      return decimate(torus, options, MemorylessQuadric(), extras).mesh;
+    };
+    const IndexedMesh plain = by_bulk(false), fitted = by_bulk(true);
+    INFO(least_along_normal(plain, fitted));
+    CHECK((least_along_normal(plain, fitted) > 0.85) == values_count);
+    CHECK(by_decimate(false).points == plain.points);
+    CHECK(by_decimate(true).points == fitted.points);
+
+    extras.flags.assign(n, kSeam);  // stays where no wedge says how the seam runs
+    CHECK(detail::refit_flags(torus, extras) == std::vector<std::uint8_t>(n, kSeam | kLocked));
+    extras.wedges = torus.triangles;  // no seam, so all that the flags say
+    CHECK(detail::refit_flags(torus, extras) == std::vector<std::uint8_t>(n, kSeam));
+    extras.flags.clear();
+    CHECK(detail::refit_flags(torus, extras) ==
+          std::vector<std::uint8_t>(n, static_cast<std::uint8_t>(values_count ? kSeam : 0)));
   }
 }
 

@@ -55,7 +55,9 @@ struct TiledFile : TorusFile {
 
 TEST_CASE("what the output cannot hold constrains nothing, and is said to be left out") {
   const TiledFile in;
-  CHECK(in.simplify("out.obj", {}).code == 1);
+  const auto held = in.simplify("out.obj", {});
+  CHECK(held.code == 1);
+  CHECK_THAT(held.err, Contains("--drop texture leaves the texture out"));
   const auto done = in.simplify("out.stl", {"--json", in.folder / "json"});
   CHECK(done.code == 0);
   CHECK_THAT(done.err, Contains("not written: normals, colours, texture coordinates") ||
@@ -94,6 +96,49 @@ TEST_CASE("--drop leaves an attribute out, with what it would constrain") {
                          "texture", "--ratio", "0.2", "--quiet"})
             .code == 0);
   CHECK(in.kinds("batch/in.obj").size() == 2);
+}
+
+TEST_CASE("every command tells how many charts and pieces have vanished, and what to do about many") {
+  const TiledFile in;  // 2,688 charts
+  const programs::Folder folder;
+  const std::string half = "charts of the texture have vanished; --drop texture leaves it out";
+  const auto gone = [](const Json& charts) {
+    CHECK(charts["before"] == 2688);
+    return charts["gone"].get<std::size_t>();
+  };
+  const auto json = [](const std::string& file) { return Json::parse(programs::contents(file)); };
+  const auto simplified = whittle_program(
+      {"simplify", in.path, folder / "out.obj", "--ratio", "0.25", "--json", folder / "json"});
+  CHECK(simplified.code == 0);
+  CHECK_THAT(simplified.out, Contains(half));
+  const std::size_t charts_gone = gone(json(folder / "json")["charts"]);
+  CHECK(charts_gone > 1344);
+
+  for (const std::vector<std::string>& module : {std::vector<std::string>{}, {"--module", "mq"}}) {
+    std::vector<std::string> arguments{"lods",           in.path,  "--levels",      "3",         "--out",
+                                       folder / "l.obj", "--json", folder / "json", "--samples", "100"};
+    arguments.insert(arguments.end(), module.begin(), module.end());
+    const auto lods = whittle_program(arguments);
+    CHECK(lods.code == 0);
+    CHECK_THAT(lods.out, Contains("of 2688 charts of the texture have vanished\n") && Contains(half));
+    CHECK(gone(json(folder / "json")["levels"][1]["charts"]) > 0);
+    CHECK(gone(json(folder / "json")["levels"][2]["charts"]) == charts_gone);
+  }
+  const auto batch =
+      whittle_program({"batch", in.folder.path().string(), "--out", folder / "batch", "--ratio", "0.25"});
+  CHECK(batch.code == 0);
+  CHECK_THAT(batch.out, Contains(half));
+  for (const auto& file : std::filesystem::directory_iterator(folder / "batch/.whittle/log"))
+    CHECK(gone(json(file.path())["charts"]) == charts_gone);
+
+  files::write_mesh(folder / "dusty.ply", meshes::dusty_torus(60));
+  const auto pieces =
+      whittle_program({"lods", folder / "dusty.ply", "--levels", "2", "--out", folder / "l.ply", "--samples",
+                       "100", "--pieces", "1%", "--json", folder / "json"});
+  CHECK(pieces.code == 0);
+  CHECK_THAT(pieces.out, Contains("60 of 61 pieces have vanished, with 480 faces of the input"));
+  const Json of_level = json(folder / "json")["levels"][1]["pieces"];
+  CHECK(of_level == Json({{"rule", "1%"}, {"before", 61}, {"gone", 60}, {"faces_gone", 480}}));
 }
 
 TEST_CASE("texture coordinates and colours count by default, and how far each has changed is told") {

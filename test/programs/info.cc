@@ -25,15 +25,50 @@ TEST_CASE("info counts what is in a file") {
 
 TEST_CASE("info reports what the reader changed or left out") {
   const programs::Folder folder;
-  std::ofstream(folder / "quad.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng all\nf 1 2 3 4\n";
+  std::ofstream(folder / "quad.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nl 1 2\nf 1 2 3 4\n";
   const auto done =
       programs::run(WHITTLE_PROGRAM, {"info", folder / "quad.obj", "--json", folder / "i.json"});
   CHECK(done.code == 0);
-  CHECK_THAT(done.err, Contains("groups"));
+  CHECK_THAT(done.err, Contains("lines"));
   const Json read = Json::parse(programs::contents(folder / "i.json"))["read"];
   CHECK(read["polygons_split"] == 1);
-  CHECK(read["attributes_ignored"] == Json::array({"groups"}));
+  CHECK(read["attributes_ignored"] == Json::array({"lines"}));
   CHECK(programs::run(WHITTLE_PROGRAM, {"info", folder / "quad.obj", "--quiet"}).err.empty());
+}
+
+TEST_CASE("info tells the attributes of a file, and how many charts its texture has") {
+  const programs::Folder folder;
+  const IndexedMesh mesh = meshes::flat_grid(3);
+  using attributes::Kind;
+  attributes::Attribute whole{Kind::texture, "", 2, false, false, {}, {}},
+      tiles = whole, colour{Kind::colour, "", 3, true, false, {}, {}};
+  for (const auto& p : mesh.points) {
+    whole.values.insert(whole.values.end(), {static_cast<float>(p.x()), static_cast<float>(p.y())});
+    colour.values.insert(colour.values.end(), {1, 0, 0});
+  }
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    tiles.corners.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+    for (std::uint32_t k = 0; k < 3; ++k)
+      tiles.values.insert(tiles.values.end(), {static_cast<float>(f), static_cast<float>(k)});
+  }
+  const auto told = [&](const attributes::Attributes& given) {
+    files::write_mesh(folder / "in.ply", mesh, {}, given);
+    const auto done = programs::run(WHITTLE_PROGRAM, {"info", folder / "in.ply", "--json", folder / "json"});
+    CHECK(done.code == 0);
+    return std::pair(done.out, Json::parse(programs::contents(folder / "json"))["attributes"]);
+  };
+  CHECK(told({}).second == Json::array());
+  const auto [text, one] = told({whole, colour});
+  CHECK_THAT(text, Contains("texture coordinates    9 at vertices, 1 chart\n") &&
+                       Contains("colours                9 at vertices\n"));
+  REQUIRE(one.size() == 2);
+  const auto [tiled_text, tiled] = told({tiles});
+  CHECK_THAT(tiled_text, Contains("texture coordinates    24 at corners, 8 charts\n"));
+  CHECK(tiled == Json::array({{{"name", "texture coordinates"},
+                               {"at", "corners"},
+                               {"components", 2},
+                               {"values", 24},
+                               {"charts", 8}}}));
 }
 
 TEST_CASE("info refuses a file that is no mesh") {

@@ -48,8 +48,21 @@ TEST_CASE("measure prints how far a texture has slid") {
   CHECK(slid["texels_across"] == 100);
   CHECK(slid["charts"] == 1);
   CHECK(slid["charts_left"] == 1);
-  CHECK_THAT(programs::run(WHITTLE_PROGRAM, {"measure", folder / "a.obj", folder / "b.obj"}).out,
-             Contains("texture, RMS and max") && Contains("256"));
+  CHECK_THAT(
+      programs::run(WHITTLE_PROGRAM, {"measure", folder / "a.obj", folder / "b.obj"}).out,
+      Contains("texture, RMS and max") && Contains("256") && Contains("texels of 1,024; 1 of 1 charts"));
+  // As simplify has them: texels of the original's image.
+  std::ofstream(folder / "a.mtl") << "newmtl a\nmap_Kd a.png\n";
+  const std::string head("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x08\0\0\0\x04\0", 24);  // 2,048 by 1,024
+  std::ofstream(folder / "a.png", std::ios::binary) << head;
+  const std::string obj = programs::contents(folder / "a.obj");
+  std::ofstream(folder / "a.obj") << "mtllib a.mtl\n" << obj;
+  const auto on_image = programs::run(
+      WHITTLE_PROGRAM, {"measure", folder / "a.obj", folder / "b.obj", "--json", folder / "json"});
+  CHECK_THAT(on_image.out, Contains("512") && Contains("texels of 2048 x 1024; 1 of 1 charts"));
+  const Json of_image = Json::parse(programs::contents(folder / "json"))["texture"];
+  CHECK(of_image["max_texels"].get<double>() == Approx(512));
+  CHECK(of_image["image"] == Json({{"width", 2048}, {"height", 1024}}));
 
   texture.values.assign(8, 0.5f);
   files::write_mesh(folder / "flat.obj", mesh, {}, {texture});

@@ -262,6 +262,15 @@ TEST_CASE("small pieces stay without crushing the rest, or vanish when asked") {
 
   CHECK(simplify({in, out, "--module", "fad", "--pieces", "1%"}).code == 0);
   CHECK(measure::facts(files::read_mesh(out).mesh).components == 1);
+  // Alone, a length takes small pieces away and leaves the rest as it is.
+  const auto only = simplify({in, out, "--pieces", "1%", "--json", folder / "json"});
+  CHECK(only.code == 0);
+  CHECK_THAT(only.out, Contains("60 of 61 pieces have vanished, with 480 faces of the input"));
+  IndexedMesh torus = files::read_mesh(in).mesh;
+  torus.triangles.resize(2688);
+  CHECK(meshes::canonical(files::read_mesh(out).mesh) == meshes::canonical(torus));
+  CHECK(Json::parse(files::read_file(folder / "json"))["stages"].empty());
+  for (const std::string rule : {"keep", "by-error"}) CHECK(simplify({in, out, "--pieces", rule}).code == 2);
   for (const std::string rule : {"some", "0", "-1", "3x"})
     CHECK(simplify({in, out, "--ratio", "0.5", "--pieces", rule}).code == 2);
   CHECK(simplify({in, out, "--module", "fad", "--pieces", "by-error"}).code == 2);

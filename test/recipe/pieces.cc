@@ -48,6 +48,42 @@ TEST_CASE("by default all pieces stay, and the largest is not crushed for them")
   }
 }
 
+TEST_CASE("a recipe without modules takes away the pieces below a length, and nothing else") {
+  const IndexedMesh mesh = meshes::dusty_torus(100);
+  Recipe recipe;
+  recipe.pieces = parse_pieces("1%");
+  Givens givens;
+  attributes::Attributes tiles{{attributes::Kind::texture, "", 2, false, false, {}, {}}};
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {  // every face is a chart
+    tiles[0].corners.push_back({3 * f, 3 * f + 1, 3 * f + 2});
+    for (std::uint32_t k = 0; k < 3; ++k)
+      tiles[0].values.insert(tiles[0].values.end(), {static_cast<float>(f), static_cast<float>(k)});
+  }
+  givens.attributes = &tiles;
+  const Result result = run(mesh, recipe, {}, givens);
+  CHECK(result.stages.empty());
+  CHECK(result.pieces_gone == 100);
+  CHECK(result.held == 0);
+  CHECK_FALSE(result.refit.has_value());
+  REQUIRE(result.mesh.triangles.size() == 2688);
+  for (std::size_t f = 0; f < 2688; ++f) {
+    CHECK(result.face_origin[f] == f);
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(result.mesh.points[result.mesh.triangles[f][k]] == mesh.points[mesh.triangles[f][k]]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float* value = result.attributes[0].value(result.attributes[0].corners[f][k]);
+      CHECK(value[0] == static_cast<float>(f));
+      CHECK(value[1] == static_cast<float>(k));
+    }
+  }
+  CHECK(plan(mesh, recipe).collapses.empty());
+  recipe.max_distance = parse_length("1%");
+  CHECK_THROWS_AS(run(mesh, recipe), RecipeError);
+  recipe.max_distance.reset();
+  recipe.target.ratio = 0.5;
+  CHECK_THROWS_AS(run(mesh, recipe), RecipeError);
+}
+
 TEST_CASE("pieces vanish by error on the way to a target") {
   const IndexedMesh mesh = meshes::dusty_torus(100);
   for (const std::string module : {"mq", "quadric", "ivdd", "mq:passes=2"}) {

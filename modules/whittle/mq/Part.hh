@@ -144,7 +144,10 @@ inline void Part::work(Corner c, const Placement& placement, std::size_t dearest
   if (!mesh_.is_movable(c)) return;
   const std::size_t bucket = BucketQueue::bucket_of(placement.cost);
   if (bucket > dearest) return enqueue(c, bucket);
-  const Verdict verdict = judge(mesh_, c, placement, worker_);
+  constexpr std::size_t kLater = std::size_t{4} * BucketQueue::kBucketsPerOctave,
+                        kLast = BucketQueue::kBuckets - 1;
+  const bool may_drag = queue_.bucket() >= std::min(bucket + kLater, kLast);
+  const Verdict verdict = judge(mesh_, c, placement, worker_, may_drag);
   if (verdict == Verdict::elsewhere) {
     notes.set_queued(c);
     strays.push_back({c, static_cast<std::uint32_t>(bucket)});
@@ -154,8 +157,7 @@ inline void Part::work(Corner c, const Placement& placement, std::size_t dearest
     goal.count(done.back().collapse);
     for (const Corner at : unqueued)
       if (at != kNoCorner) enqueue(at, queue_.bucket());  // placed when it is taken
-  } else if (queue_.bucket() + 1 < BucketQueue::kBuckets) {
-    constexpr std::size_t kLater = std::size_t{4} * BucketQueue::kBucketsPerOctave;
+  } else if (queue_.bucket() < kLast) {
     enqueue(c, queue_.bucket() + kLater);  // it may become legal by then
   } else {
     refused.refused_by_link += verdict == Verdict::breaks_link;

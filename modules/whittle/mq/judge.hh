@@ -85,7 +85,9 @@ inline bool keeps_bound(const Mesh& mesh, Corner c, const Vec& target, Worker& w
 
 /// Judges the collapse of an edge and leaves its ring in the worker, for `collapse`. Marks the vertices
 /// around it. The link condition: the ends have no neighbours in common but those opposite the edge.
-inline Verdict judge(Mesh& mesh, Corner c, const Placement& placement, Worker& worker) {
+/// \param may_drag  whether charts of one face may be dragged along, as what costs less has been done.
+inline Verdict judge(Mesh& mesh, Corner c, const Placement& placement, Worker& worker,
+                     bool may_drag = false) {
   const CornerTable& table = mesh.table;
   const Corner d = table.twin(c);
   const std::uint32_t a = table.vertex(c), b = table.vertex(next(c));
@@ -112,7 +114,9 @@ inline Verdict judge(Mesh& mesh, Corner c, const Placement& placement, Worker& w
   };
   if (!survey(mesh, d, c, worker, count)) return Verdict::elsewhere;
   if (common != (interior ? 2u : 1u)) return Verdict::breaks_link;
-  if (mesh.has_seams && closes_slit(mesh, c)) return Verdict::breaks_seam;
+  if (mesh.has_seams &&
+      (closes_slit(mesh, c) || (!may_drag && drags_chart(mesh, c, placement.offset, worker))))
+    return Verdict::breaks_seam;
   const std::size_t of_a = worker.ring.n_at_start(), of_b = worker.ring.size() - of_a;
   const bool ear = (mesh.keeps_end(c) ? of_a : of_b) == 0;                             // its tip would vanish
   const bool back_to_back = interior && !a_open && !b_open && of_a <= 1 && of_b <= 1;  // two faces would be

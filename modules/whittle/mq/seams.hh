@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "whittle/mq/Mesh.hh"
+#include "whittle/mq/Worker.hh"
 #include "whittle/mq/lines.hh"
 
 namespace whittle::mq {
@@ -115,6 +116,20 @@ inline bool keeps_seams(const Mesh& mesh, Corner c) {
   const Corner d = mesh.table.twin(c);
   if (mesh.keeps_charts && (is_chart(mesh, c) || (d != kNoCorner && is_chart(mesh, d)))) return false;
   return d == kNoCorner ? is_chart(mesh, c) : mesh.table.notes(c).is_seam(c);
+}
+
+/// Whether the collapse of a seam edge drags a chart of one face along: moves a corner of it by more than half of the
+/// edge opposite. The lines of a small chart weigh little, so it would cost next to nothing to move it anywhere.
+/// \param offset  of the new vertex from the start of the edge; the worker has its ring.
+inline bool drags_chart(const Mesh& mesh, Corner c, const Vec& offset, const Worker& worker) {
+  if (!mesh.table.notes(c).is_seam(c)) return false;
+  const float squares[] = {offset.squaredNorm(), (offset - mesh.edge(c)).squaredNorm()};
+  for (std::size_t i = 0; i < worker.ring.size(); ++i) {
+    const Corner corner = worker.ring.begin()[i].corner;
+    const float square = squares[i < worker.ring.n_at_start() ? 0 : 1];
+    if (is_chart(mesh, corner) && 4 * square > mesh.edge(next(corner)).squaredNorm()) return true;
+  }
+  return false;
 }
 
 /// Whether the collapse of an edge takes the last vertex between a slit's two ends, all of which are the worker's.

@@ -87,9 +87,12 @@ struct DecimateReport {
   std::size_t charts = 0;       ///< of the input, what its seams enclose; 0 where it has no seams
   std::size_t charts_gone = 0;  ///< of these, how many have no face left
   std::size_t pieces_gone = 0;  ///< that have vanished as a whole
-  RefitReport refit;            ///< vertices moved at the end
-  Attainable attainable;        ///< the target that was gone to, and the pieces that stay
-  PlanRecord record;            ///< merges planned, and refused by flip guard, link condition and bound
+  /// Vertices of the input on open edges, at exactly the place of another such: the surface is cut there and tears.
+  /// `join_doubled` joins them.
+  std::size_t doubled = 0;
+  RefitReport refit;      ///< vertices moved at the end
+  Attainable attainable;  ///< the target that was gone to, and the pieces that stay
+  PlanRecord record;      ///< merges planned, and refused by flip guard, link condition and bound
   /// For each vertex of the input, by its index there, the vertex of the result that it became; kNoVertex if none.
   std::vector<std::uint32_t> vertex_map;
   static constexpr std::uint32_t kNoVertex = 0xffffffffu;
@@ -235,6 +238,7 @@ inline void conclude(const TargetCount& target, DecimateReport& report) {
               " charts keep a face each unless DecimateOptions::keep_charts is off");
   reasons.add(report.held, " vertices are locked or features");
   reasons.add(report.seams, " vertices lie on seams");
+  reasons.add(report.doubled, " vertices on open edges lie at the place of others, which join_doubled joins");
   reasons.add(report.record);
   report.why = reasons.or_else("no further merge is legal, or within the planner's threshold");
 }

@@ -18,6 +18,7 @@
 #include "whittle/planners/PieceChoice.hh"
 #include "whittle/surface/IndexedMesh.hh"
 #include "whittle/surface/Surface.hh"
+#include "whittle/surface/doubled.hh"
 #include "whittle/surface/errors.hh"
 
 namespace whittle::detail {
@@ -39,6 +40,9 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
   /// How far to go, from `initialize()` on: the target, raised for the sake of what is free, and the pieces that vanish at
   /// the end.
   const TargetCount& target() const { return target_; }
+
+  /// Vertices on open edges at exactly the place of others.
+  std::size_t n_doubled() const { return n_doubled_; }
 
   /// Deletes the pieces that vanish as a whole.
   void remove_pieces(DecimateReport& report) {
@@ -74,6 +78,7 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
     if (options_->weight.is_valid()) add_weights(mesh, extras.tolerance);
     add_values(mesh, options_->values, extras);
     flags_ = extras.flags;
+    n_doubled_ = count_doubled(indexed);
     seams_ = {};
     if (const auto& seams = this->attributes().seams(); !seams.empty()) {
       seams_.charts = this->attributes().charts();
@@ -118,6 +123,7 @@ class ModDecimateT : public ModPlannedT<MeshT, Planner> {
   TargetCount target_;
   PieceChoice choice_;
   std::vector<std::uint8_t> flags_;
+  std::size_t n_doubled_ = 0;
   SeamRecord seams_;  // its charts are those of the mesh's faces, deleted ones included
 };
 

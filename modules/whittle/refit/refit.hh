@@ -38,22 +38,25 @@ struct RefitReport {
 
 namespace detail {
 
-/// The flags that hold in a refit what a plan held, and mark what lies on seams.
-/// \param extras  as the plan had them
+/// The flags that hold in a refit what a plan held, and mark what moves along its normal only: what lies on seams, and all
+/// vertices where values count, as the texture would slide with those that slide along the surface.
+/// \param extras  as the plan had them; of the values it matters only whether there are any
 template <typename Real>
 std::vector<std::uint8_t> refit_flags(const IndexedMeshT<Real>& mesh, const SurfaceExtras& extras) {
   std::vector<std::uint8_t> flags = extras.flags;
   flags.resize(mesh.points.size(), 0);
   for (std::size_t v = 0; v < extras.tolerance.size(); ++v)
     if (extras.tolerance[v] == 0) flags[v] |= kLocked;
-  if (extras.wedges.empty()) {  // where nothing says how a seam runs, it stays
+  if (extras.wedges.empty())  // where nothing says how a seam runs, it stays
     for (std::uint8_t& flag : flags)
       if ((flag & kSeam) != 0) flag |= kLocked;
-    return flags;
+  if (extras.n_values > 0) {
+    for (std::uint8_t& flag : flags) flag |= kSeam;
+  } else if (!extras.wedges.empty()) {
+    const std::vector<bool> on_seam = on_seams(mesh.triangles, extras.wedges, mesh.points.size());
+    for (std::size_t v = 0; v < flags.size(); ++v)
+      if (on_seam[v]) flags[v] |= kSeam;
   }
-  const std::vector<bool> on_seam = on_seams(mesh.triangles, extras.wedges, mesh.points.size());
-  for (std::size_t v = 0; v < flags.size(); ++v)
-    if (on_seam[v]) flags[v] |= kSeam;
   return flags;
 }
 
@@ -63,6 +66,7 @@ inline SurfaceExtras held_part(const SurfaceExtras& extras) {
   part.flags = extras.flags;
   part.tolerance = extras.tolerance;
   part.wedges = extras.wedges;
+  part.n_values = extras.n_values;
   return part;
 }
 

@@ -182,6 +182,61 @@ TEST_CASE("mq: a vertex inside a chart merges into one on the seam, which stays"
   }
 }
 
+TEST_CASE(
+    "mq: a vertex on a seam rises to the planes around it when an inner one merges into it, up to a tenth of "
+    "the edge") {
+  const IndexedMesh grid = meshes::flat_grid(7);
+  mq::Mesh mesh = built(grid, in_stripes(grid, {3}));
+  const std::uint32_t seam = vertex(mesh, 24), inner = vertex(mesh, 23);
+  const float length = mesh.edge(corner(mesh, 24, 23)).norm();
+  // At the inner vertex a plane that rises by `slope` towards the seam, at the seam one that is level.
+  const auto set_planes = [&](float slope, float level) {
+    mesh.quadrics[inner] = mq::SymmetricMatrix::outer(mq::Vec(-slope, 0, 1), 1);
+    mesh.quadrics[seam] = mq::SymmetricMatrix::outer(mq::Vec::UnitZ(), level);
+    mesh.areas[inner].sum = mq::Vec::Zero();
+    mesh.areas[seam].sum = mq::Vec(0, 0, 1e-6f);  // upright, and the volume says nothing
+  };
+  const auto check = [&](float height, float cost) {
+    const mq::Placement out = placed(mesh, corner(mesh, 24, 23)), in = placed(mesh, corner(mesh, 23, 24));
+    CHECK((out.offset / length - mq::Vec(0, 0, height)).norm() < 1e-5f);
+    CHECK((in.offset / length - mq::Vec(1, 0, height)).norm() < 1e-5f);
+    for (const float found : {out.cost, in.cost})
+      CHECK(found / (length * length) == Approx(cost).margin(1e-5));
+  };
+  set_planes(0.05f, 0);
+  check(0.05f, 0);
+  set_planes(-0.05f, 0);
+  check(-0.05f, 0);
+  set_planes(0.1f, 1);
+  check(0.05f, 2 * 0.05f * 0.05f);
+  set_planes(1, 0);
+  check(0.1f, 0.9f * 0.9f);
+  mesh.holds[seam] = mq::kFixed;
+  check(0, 1);
+}
+
+TEST_CASE("mq: a seam drags no chart of one face along unless it may, but one of two faces") {
+  const IndexedMesh grid = meshes::flat_grid(7);
+  const auto verdict = [&](bool is_whole_square, float share) {
+    SurfaceExtras extras = in_stripes(grid, {3});
+    std::vector<std::uint32_t> chart = meshes::charts_by_centre(grid, [&](const meshes::Point& p) {
+      const bool in_square = p.x() > 3 && p.x() < 4 && p.y() > 3 && p.y() < 4;
+      return in_square && (is_whole_square || p.y() - 3 > p.x() - 3) ? 2u : p.x() > 3 ? 1u : 0u;
+    });
+    extras.wedges = meshes::wedges_of(grid, chart);
+    mq::Mesh mesh = built(grid, extras);
+    mq::Worker worker = worker_of(mesh);
+    const Corner c = corner(mesh, 24, 17);  // along the seam, away from the square over 24
+    const mq::Placement placement{share * mesh.edge(c), 0};
+    CHECK(mq::judge(mesh, c, placement, worker, true) == Verdict::legal);
+    return mq::judge(mesh, c, placement, worker);
+  };
+  // The edge opposite 24 in the upper half of the square is as long as the one that collapses.
+  CHECK(verdict(false, 0.45f) == Verdict::legal);
+  CHECK(verdict(false, 0.55f) == Verdict::breaks_seam);
+  CHECK(verdict(true, 0.55f) == Verdict::legal);
+}
+
 TEST_CASE("mq: two seams never merge across the chart between them") {
   const IndexedMesh grid = meshes::flat_grid(7);
   const mq::Mesh mesh = built(grid, in_stripes(grid, {3, 4}));

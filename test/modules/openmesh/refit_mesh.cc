@@ -141,6 +141,24 @@ TEST_CASE("attributes and face normals follow the vertices that a refit moves") 
   for (const auto f : mesh.faces()) CHECK((mesh.normal(f) - mesh.calc_face_normal(f)).norm() < 1e-5);
 }
 
+TEST_CASE("where texture counts in an OpenMesh mesh, a refit moves vertices as it does in arrays") {
+  for (const float weight : {0.0f, 0.2f}) {
+    Mesh mesh = torus();
+    mesh.request_vertex_texcoords1D();
+    for (const auto v : mesh.vertices()) mesh.set_texcoord1D(v, static_cast<float>(mesh.point(v)[0]));
+    DecimateOptions options = to_half();
+    options.values.texture = weight;
+    SurfaceExtras extras;
+    if (weight > 0) detail::add_values(mesh, options.values, extras);
+    options.values = {};
+    const auto arrays = decimate(to_indexed(mesh), options, MemorylessQuadric(), extras);
+    options.values.texture = weight;
+    CHECK(decimate(mesh, options).refit.moved == arrays.refit.moved);
+    CHECK(arrays.refit.moved > 200);
+    CHECK(to_indexed(mesh).points == arrays.mesh.points);
+  }
+}
+
 TEST_CASE("decimate refits what other planners make where it is asked for") {
   VertexDistance ivdd;
   ivdd.max_distance = 0.3;
