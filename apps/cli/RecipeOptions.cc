@@ -91,6 +91,10 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
       ->take_all()
       ->expected(1);
   if (with_target) add_target(command, options);
+  if (with_target)
+    command.add_flag(
+        "--each-mesh", options.each_mesh,
+        "From glTF to glTF: the target holds for each mesh, instead of for all meshes of the scene together");
   command
       .add_option(
           "--pieces", options.pieces,

@@ -22,7 +22,7 @@ struct RecipeOptions {
   std::size_t samples = measure::DistanceOptions().samples;
   double weld = 0;
   std::string max_distance, weights, driver = "auto", repair = "report", pieces = "keep";
-  bool force = false, copy_materials = false, flatten = false;
+  bool force = false, copy_materials = false, flatten = false, each_mesh = false;
   std::optional<bool> refit;
 };
 

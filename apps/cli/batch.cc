@@ -74,6 +74,7 @@ std::vector<std::string> simplify_arguments(const Options& options) {
   add("--pieces", options.pieces);
   if (options.force) out.emplace_back("--force");
   if (options.refit) out.emplace_back(*options.refit ? "--refit" : "--no-refit");
+  if (options.each_mesh) out.emplace_back("--each-mesh");
   if (options.flatten) out.emplace_back("--flatten");
   if (options.copy_materials) out.emplace_back("--copy-materials");
   if (options.ascii) out.emplace_back("--ascii");

@@ -6,6 +6,7 @@
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
+#include "recipe/run_apart.hh"
 #include "text/format.hh"
 #include "text/printable.hh"
 
@@ -236,7 +237,11 @@ int simplify(const Options& options) {
   const std::optional<files::ImageSize> image = files::texture_image_size(in.parts);
   std::vector<std::string> left_out = drop_attributes(options, options.out, format, in);
   give_parts(options, in, givens);
-  const recipe::Result result = recipe::run(in.mesh, recipe, {}, givens);
+  if (options.each_mesh && !in.scene)
+    throw recipe::RecipeError("--each-mesh is for scenes, from glTF to glTF without --flatten");
+  const recipe::Result result =
+      options.each_mesh ? recipe::run_apart(in.mesh, files::meshes_of_faces(in), recipe, {}, givens)
+                        : recipe::run(in.mesh, recipe, {}, givens);
   const bool is_told = !options.quiet || !options.json.empty();
   const Json changes = is_told ? attribute_changes(image, in, result) : Json(nullptr);
 

@@ -27,7 +27,10 @@ class GltfData {
       : model_(model),
         buffers_(std::move(buffers)),
         file_bytes_(file_bytes),
-        budget_((std::size_t{16} << 20) + 64 * file_bytes) {}
+        budget_(most_bytes(file_bytes)) {}
+
+  /// How much may be made of a file.
+  static std::size_t most_bytes(std::size_t file_bytes) { return (std::size_t{16} << 20) + 64 * file_bytes; }
 
   /// Takes bytes from what may be taken. Even a part of nothing takes time, and many nodes may show it.
   /// \throw Fault  there are not so many left

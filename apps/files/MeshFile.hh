@@ -192,6 +192,9 @@ struct SceneResult {
 /// \throw FileError  unknown format
 bool holds_scenes(const std::filesystem::path& path, const WriteOptions& options = {});
 
+/// For each face the number of its mesh in the document. \pre the mesh was read from a scene
+std::vector<std::uint32_t> meshes_of_faces(const MeshFile& file);
+
 /// The scene that a mesh was read from, with the triangles of a result. All the rest of it stays: nodes, materials,
 /// images, animations, extensions.
 /// \param in  as it was read with ReadOptions::keep_scene

@@ -67,7 +67,7 @@ class Filter {
 
   bool is_read(const std::string& key) {
     if (section_ == "meshes" && key == "targets" && !keeps_scene_) builder_.ignore("morph targets");
-    if (key == "extensions") return section_ == "nodes" || section_ == "materials";
+    if (key == "extensions") return section_ != "meshes" && section_ != "accessors";
     if (key == "name") return section_ == "nodes" || section_ == "materials" || section_ == "images";
     return key != "extras" && (key != "targets" || keeps_scene_) && key != "weights";
   }
@@ -107,7 +107,7 @@ bool can_do_without(const std::string& extension) {
   for (const char* beginning : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
                                 "EXT_lights_", "KHR_xmp", "MSFT_lod"})
     if (extension.rfind(beginning, 0) == 0) return true;
-  return extension == "KHR_mesh_quantization";
+  return extension == "KHR_mesh_quantization" || extension == "EXT_meshopt_compression";
 }
 
 void check_extensions(const Json& json) {
@@ -146,6 +146,8 @@ std::vector<GltfBuffer> read_buffers(Json& json) {
   for (Json& object : gltf_objects(json, "buffers")) {
     GltfBuffer buffer;
     buffer.bytes = gltf_unsigned(object, "byteLength");
+    const Json::json_pointer fallback("/extensions/EXT_meshopt_compression/fallback");
+    buffer.is_packed = object.contains(fallback) && object[fallback] == true && !object.contains("uri");
     if (const auto uri = object.find("uri"); uri != object.end()) {
       if (!uri->is_string()) throw Fault("its JSON is damaged: a 'uri' is no text");
       buffer.has_uri = true;
@@ -160,7 +162,14 @@ std::vector<GltfBuffer> read_buffers(Json& json) {
 
 Json whole_gltf(std::string_view text) {
   Json json = parse(text, [](int, const std::string&) { return true; });
-  for (Json& buffer : gltf_objects(json, "buffers")) buffer.erase("uri");
+  for (Json& buffer : gltf_objects(json, "buffers")) {
+    buffer.erase("uri");
+    const auto extensions = buffer.find("extensions");
+    if (extensions == buffer.end() || !extensions->is_object()) continue;
+    extensions->erase("EXT_meshopt_compression");
+    if (extensions->empty()) buffer.erase(extensions);
+  }
+  take_packed_views(json, json["buffers"].size());
   return json;
 }
 
@@ -170,6 +179,7 @@ GltfDocument parse_gltf(std::string_view text, bool keeps_scene, MeshBuilder& bu
   check_extensions(json);
   GltfDocument document;
   document.buffers = read_buffers(json);
+  document.packed = take_packed_views(json, document.buffers.size());
   document.instances = read_gltf_nodes(json, keeps_scene, builder);
   for (const char* key : {"materials", "textures", "images"})
     document.looks[key] = std::move(gltf_objects(json, key));

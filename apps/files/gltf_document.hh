@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "files/MeshBuilder.hh"
+#include "files/gltf_meshopt.hh"
 
 namespace whittle::files {
 
@@ -24,12 +25,14 @@ struct GltfInstance {
 struct GltfBuffer {
   bool has_uri = false;  ///< else it is the binary chunk of a GLB
   std::string uri;
-  std::size_t bytes = 0;  ///< declared
+  std::size_t bytes = 0;   ///< declared
+  bool is_packed = false;  ///< it has no bytes: all of its views are packed elsewhere
 };
 
 struct GltfDocument {
   std::string json;  ///< accessors, views and meshes, for tinygltf
   std::vector<GltfBuffer> buffers;
+  std::vector<PackedView> packed;       ///< they become one more buffer
   std::vector<GltfInstance> instances;  ///< of the scene, in the order of its nodes; kept: of all nodes
   nlohmann::json looks;                 ///< materials, textures and images
 };

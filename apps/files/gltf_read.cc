@@ -68,12 +68,22 @@ class Buffers {
       if (buffer.has_uri)
         bytes = decoded_.emplace_back(is_data_uri(buffer.uri) ? decode_data_uri(buffer.uri)
                                                               : read_beside(path, buffer.uri));
+      if (buffer.is_packed && bytes.empty()) {
+        views_.emplace_back();
+        continue;
+      }
       if (buffer.bytes > bytes.size()) throw Fault("the file is cut off: a buffer is longer than its data");
       views_.push_back(bytes.substr(0, buffer.bytes));
     }
   }
 
   const std::vector<std::string_view>& views() const { return views_; }
+
+  /// Adds one more. \pre at most once
+  void add(std::string bytes) {
+    added_ = std::move(bytes);
+    views_.emplace_back(added_);
+  }
 
   std::size_t size() const {
     std::size_t bytes = 0;
@@ -83,6 +93,7 @@ class Buffers {
 
  private:
   std::vector<std::string> decoded_;
+  std::string added_;
   std::vector<std::string_view> views_;
 };
 
@@ -137,8 +148,11 @@ void read_document(std::string_view json, std::string_view binary, const ReadOpt
                    const std::filesystem::path& path, MeshFile& file, MeshBuilder& builder) {
   const GltfDocument document = parse_gltf(json, options.keep_scene, builder);
   const tinygltf::Model model = parse_model(document.json);
-  const Buffers buffers(document.buffers, binary, path);
-  GltfData data(model, buffers.views(), json.size() + buffers.size());
+  Buffers buffers(document.buffers, binary, path);
+  const std::size_t file_bytes = json.size() + buffers.size();
+  if (!document.packed.empty())
+    buffers.add(unpacked(document.packed, buffers.views(), GltfData::most_bytes(file_bytes)));
+  GltfData data(model, buffers.views(), file_bytes);
   if (!options.keep_scene) return read_flat(document, model, data, path, file, builder);
   auto kept = std::make_shared<Scene>();
   kept->document = whole_gltf(json);

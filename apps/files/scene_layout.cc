@@ -76,6 +76,13 @@ void arrange(Scene& scene, const std::vector<GltfInstance>& instances, std::size
   }
 }
 
+std::vector<std::uint32_t> meshes_of_faces(const MeshFile& file) {
+  std::vector<std::uint32_t> meshes;
+  for (const std::uint32_t part : file.parts.of_face)
+    meshes.push_back(static_cast<std::uint32_t>(file.scene->pieces[part].mesh));
+  return meshes;
+}
+
 void tell_looks_apart(const Scene& scene, Parts& parts) {
   std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> known;
   std::vector<Material> looks;
