@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <string_view>
 
 #include "files/Fault.hh"
@@ -56,6 +57,27 @@ void check_there_and_back(const MeshFile& file) {
   require(faces == file.mesh.triangles.size(), "not as many faces there and back");
 }
 
+/// A glTF scene that is written back with the triangles that it has.
+void check_scene(std::string_view bytes) {
+  std::size_t line = 0;
+  ReadOptions options;
+  options.keep_scene = true;
+  const MeshFile file = parse(bytes, format, options, line);
+  const char* what = unsound(file);
+  require(what == nullptr, what);
+  std::vector<std::uint32_t> same(file.mesh.points.size());
+  std::iota(same.begin(), same.end(), 0U);
+  Encoded written;
+  try {
+    written = encode_scene("scene.glb", file, {file.mesh, file.attributes, file.parts.of_face, same});
+  } catch (const FileError&) {
+    return;  // JSON that is damaged elsewhere
+  }
+  const MeshFile back = parse(written.bytes, Format::glb, options, line);
+  const std::size_t faces = back.mesh.triangles.size() + back.report.dropped_degenerate;
+  require(faces == file.mesh.triangles.size(), "not as many faces there and back in a scene");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -68,6 +90,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const MeshFile fixed = parsed(bytes, format, Repair::fix);
     check_manifold(fixed.mesh);
     check_there_and_back(fixed);
+  } catch (const Fault&) {
+  }
+  if (format != Format::glb && format != Format::gltf) return 0;
+  try {
+    check_scene(bytes);
   } catch (const Fault&) {
   }
   return 0;
