@@ -220,6 +220,12 @@ files::ReadOptions read_options(const RecipeOptions& options) {
   return read;
 }
 
+void require_faces(const std::string& path, const files::MeshFile& in) {
+  if (in.mesh.triangles.empty())
+    throw files::FileError((path == "-" ? "standard input" : path) +
+                           ": there are no faces, so no target can be reached");
+}
+
 std::vector<std::string> drop_attributes(const RecipeOptions& options, const std::string& out,
                                          const files::WriteOptions& format, files::MeshFile& in) {
   attributes::Attributes& all = in.attributes;

@@ -197,6 +197,7 @@ int lods(Options options) {
   add_files(options, outputs);
   files::MeshFile in = files::read_mesh(options.in, read_options(options));
   if (!options.quiet) print_notes(options.in, in.report);
+  require_faces(options.in, in);
   const recipe::Givens givens = make_givens(options, in);
   std::vector<std::string> left_out = drop_attributes(options, options.out, {}, in);
   std::vector<Level> levels = make_levels(options, in, givens);

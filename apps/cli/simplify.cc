@@ -208,6 +208,7 @@ int simplify(const Options& options) {
 
   files::MeshFile in = files::read_mesh(options.in, read_options(options));
   if (!options.quiet) print_notes(options.in, in.report);
+  if (recipe.target.any()) require_faces(options.in, in);
   const Json attributes_read = names(in.attributes);
   const recipe::Givens givens = make_givens(options, in);
   std::vector<std::string> left_out = drop_attributes(options, options.out, format, in);

@@ -47,9 +47,13 @@ struct ReadOptions {
 
 /// What was in the file that the mesh does not hold as it stood there. Nothing is lost silently: `notes()`.
 struct ReadReport {
-  std::string format;                  ///< for people: "OBJ", "PLY, binary little endian"
-  Repair repair = Repair::report;      ///< as requested; decides what happened to what is counted below
-  std::size_t polygons = 0;            ///< faces with more than three corners, split into fans
+  std::string format;                ///< for people: "OBJ", "PLY, binary little endian"
+  Repair repair = Repair::report;    ///< as requested; decides what happened to what is counted below
+  std::size_t polygons = 0;          ///< faces with more than three corners, cut into triangles
+  std::size_t concave_polygons = 0;  ///< of them, cut by ear clipping
+  std::size_t crossing_polygons =
+      0;                          ///< of them, whose sides cross: no triangles cover them without overlaps
+  std::size_t flat_polygons = 0;  ///< of them, without area
   std::size_t dropped_degenerate = 0;  ///< triangles that name a vertex twice, left out
   std::size_t merged_vertices = 0;     ///< joined with another at the same place; STL: corners
   std::size_t vertices_apart = 0;      ///< at the place of another, not joined: their faces only touch
@@ -59,6 +63,10 @@ struct ReadReport {
   std::size_t parts = 0;           ///< glTF: pieces of the scene, where more than one became this mesh
   std::size_t missing_values = 0;  ///< corners or vertices to which the file gives no value; they got one
   std::size_t zeroed_values = 0;   ///< normals, colours, texture coordinates not finite; read as 0
+  std::size_t overlong_lines =
+      0;  ///< PLY, ASCII: with more values than the header declares, which are not read
+  std::string wrong_count =
+      {};  ///< fix: a line on a count of faces that is not what is in the file; read to its end
 
   std::size_t broken_faces = 0;          ///< fix: use a vertex that is missing or not finite; left out
   std::size_t duplicate_faces = 0;       ///< on the same three vertices as an earlier one; fix: left out

@@ -23,4 +23,7 @@ void copy_vertices(MeshFile& file, const std::vector<std::uint32_t>& originals);
 /// Takes out the faces that name a vertex that is not there, and counts them as broken.
 void drop_faces_without_vertices(MeshFile& file);
 
+/// Takes out the faces that name a vertex twice, and counts them.
+void drop_degenerate_faces(MeshFile& file);
+
 }  // namespace whittle::files
