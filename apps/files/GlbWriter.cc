@@ -8,6 +8,7 @@
 
 #include "files/Fault.hh"
 #include "files/bytes.hh"
+#include "files/rounding.hh"
 
 namespace whittle::files {
 namespace {
@@ -39,8 +40,10 @@ bool is_plain_text(const std::string& name) {
 int GlbWriter::add(const IndexedMesh& mesh, const attributes::Attributes& attributes) {
   const Choice choice =
       choose(attributes, {Place::corners, Place::corners, Place::corners, Place::corners}, report_);
-  note_rounding(mesh, report_);
+  if (model_.nodes.empty()) origin_ = origin_for_floats(mesh);
+  note_rounding(mesh, report_, origin_);
   tinygltf::Node node;
+  if (!origin_.isZero()) node.translation.assign(origin_.begin(), origin_.end());
   node.name = "mesh";  // a node that says nothing at all is not written as one
   // A mesh must have a part, and a part must have vertices.
   if (!mesh.points.empty()) node.mesh = add_mesh(mesh, choice);
@@ -142,7 +145,7 @@ int GlbWriter::add_positions(const IndexedMesh& mesh, const Split& vertices) {
   Numbers values;
   values.reserve(3 * vertices.vertex.size());
   for (const std::uint32_t vertex : vertices.vertex)
-    for (const double value : mesh.points[vertex]) values.push_back(static_cast<float>(value));
+    for (int k = 0; k < 3; ++k) values.push_back(static_cast<float>(mesh.points[vertex][k] - origin_[k]));
   const int index = add_floats(values, TINYGLTF_TYPE_VEC3);
 
   tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];

@@ -22,7 +22,8 @@ class GlbWriter {
     model_.defaultScene = 0;
   }
 
-  /// Adds a mesh and a node for it.
+  /// Adds a mesh and a node for it, which moves the mesh to its place where floats do not hold the coordinates; that of
+  /// the first mesh moves all.
   /// \return the number of the node
   int add(const IndexedMesh& mesh, const attributes::Attributes& attributes);
 
@@ -45,6 +46,7 @@ class GlbWriter {
   int add_indices(const Split& vertices);
 
   WriteReport& report_;
+  IndexedMesh::Point origin_ = IndexedMesh::Point::Zero();
   tinygltf::Model model_;
 };
 

@@ -101,7 +101,13 @@ std::vector<std::string> readable_extensions();
 std::vector<std::string> writable_extensions();
 /// \}
 
-/// Reads a mesh; the format is told by the content where that is certain, else by the extension.
+/// What a name says of the format, in lower case and with its dot: ".ply" of "a.ply" and of "a.PLY.gz".
+std::string extension_of_format(const std::filesystem::path& path);
+
+/// The same with the ".gz" of a packed file.
+std::string whole_extension(const std::filesystem::path& path);
+
+/// Reads a mesh, also one packed by gzip; the format is told by the content where that is certain, else by the extension.
 /// \param path  "-" is standard input, where only the content tells the format
 /// \throw FileError  missing, unreadable, unknown format, damaged, cut off; see Repair for the rest
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
@@ -126,7 +132,7 @@ std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
 /// What a file could not take.
 struct WriteReport {
   std::vector<std::string> left_out;  ///< "colours", "property 'quality'"
-  std::vector<std::string> reduced;   ///< lines: "coordinates rounded to 32-bit floats"
+  std::vector<std::string> reduced;   ///< lines: "colours rounded to 8 bits"
   /// OBJ, PLY, OFF, GLB (of all levels): written again for values that differ at their corners
   std::size_t doubled_vertices = 0;
   /// For each vertex of the mesh the first of the file that stands for it; empty: they are the same
@@ -147,7 +153,7 @@ struct Encoded {
 Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
                     const WriteOptions& options = {}, const attributes::Attributes& attributes = {});
 
-/// Writes a mesh whole or not at all: beside the target, flushed, then renamed.
+/// Writes a mesh whole or not at all: beside the target, flushed, then renamed. Packed by gzip where the name ends so.
 /// \param path  "-" is standard output, for which options.format must be set; it is written as it is, without
 ///              the guarantee
 /// \throw FileError  unknown format, folder missing or not writable, disk full.

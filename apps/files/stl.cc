@@ -12,6 +12,7 @@
 #include "files/TextWriter.hh"
 #include "files/bytes.hh"
 #include "files/formats.hh"
+#include "files/rounding.hh"
 
 namespace whittle::files {
 namespace {

@@ -7,6 +7,7 @@
 #include "files/Choice.hh"
 #include "files/Fault.hh"
 #include "files/formats.hh"
+#include "files/gzip.hh"
 #include "files/split.hh"
 
 namespace whittle::files {
@@ -18,7 +19,7 @@ using attributes::Kind;
 Format format_for(const std::filesystem::path& path, const WriteOptions& options) {
   if (options.format.empty() && path == "-") throw Fault("the format of standard output must be named");
   const Format format =
-      format_of_extension(options.format.empty() ? path.extension().string() : "." + options.format);
+      format_of_extension(options.format.empty() ? extension_of_format(path) : "." + options.format);
   if (format == Format::gltf) throw Fault(".gltf is only read; glTF is written as .glb");
   return format;
 }
@@ -166,6 +167,7 @@ Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, 
   return naming(path, [&] {
     Encoded encoded;
     encoded.bytes = mesh_bytes(mesh, attributes, options, format_for(path, options), encoded.report);
+    if (is_gzip_name(path)) encoded.bytes = gzipped(encoded.bytes);
     return encoded;
   });
 }
@@ -189,6 +191,7 @@ Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<L
       views.push_back({&level.mesh, &finite.back(), level.error});
     }
     encoded.bytes = glb_bytes(views, encoded.report);
+    if (is_gzip_name(path)) encoded.bytes = gzipped(encoded.bytes);
     return encoded;
   });
 }
