@@ -27,8 +27,8 @@ std::string lower_case(std::string text) {
 }
 
 bool is_any_of(const std::vector<std::string>& extensions, const fs::path& path) {
-  const std::string extension = lower_case(path.extension().string());
-  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+  return std::find(extensions.begin(), extensions.end(), files::extension_of_format(path)) !=
+         extensions.end();
 }
 
 bool is_mesh(const fs::path& path) {
@@ -181,10 +181,15 @@ Listing list_items(const fs::path& source, const fs::path& out, const std::strin
   std::map<std::string, fs::path> in_lower_case;
   std::optional<bool> counts;  // once that matters
   for (auto& [in, relative] : found.meshes) {
+    const bool is_packed = files::whole_extension(relative) != files::extension_of_format(relative);
+    const auto become = [&](const std::string& extension) {
+      if (is_packed) relative.replace_extension();
+      relative.replace_extension(extension);
+    };
     if (!format.empty())
-      relative.replace_extension(format);
+      become(format);
     else if (!is_any_of(files::writable_extensions(), relative))
-      relative.replace_extension(".glb");  // glTF's one-file form
+      become(".glb");  // glTF's one-file form
     const auto [other, is_new] = taken.emplace(relative, in);
     if (!is_new)
       throw BatchError(in.string() + " and " + other->second.string() + " would both become " +

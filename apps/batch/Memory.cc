@@ -93,7 +93,7 @@ fs::path Memory::work(const Item& item, const std::string& process, const char* 
 }
 
 fs::path Memory::result(const Item& item) const {
-  return work(item, process_name(), item.out.extension().c_str());
+  return work(item, process_name(), files::whole_extension(item.out).c_str());
 }
 
 fs::path Memory::report(const Item& item) const {
@@ -102,7 +102,7 @@ fs::path Memory::report(const Item& item) const {
 
 void Memory::forget_work(const Item& item, const std::string& process) const {
   std::error_code ignored;
-  fs::remove(work(item, process, item.out.extension().c_str()), ignored);
+  fs::remove(work(item, process, files::whole_extension(item.out).c_str()), ignored);
   fs::remove(work(item, process, ".json"), ignored);
 }
 

@@ -11,7 +11,9 @@ namespace whittle::cli {
 namespace {
 
 void add_target(CLI::App& command, RecipeOptions& options) {
-  auto* ratio = command.add_option("--ratio", options.ratio, "Keep this part of the faces, between 0 and 1")
+  auto* ratio = command
+                    .add_option("--ratio", options.ratio,
+                                "Keep this part of the faces, above 0; 1 changes nothing but the format")
                     ->type_name("R");
   auto* faces = command.add_option("--faces", options.faces, "Down to at most so many faces");
   auto* vertices = command.add_option("--vertices", options.vertices, "Down to at most so many vertices");
@@ -232,6 +234,12 @@ files::ReadOptions read_options(const RecipeOptions& options) {
                                           : files::Repair::report;
   read.weld = options.weld;
   return read;
+}
+
+void require_faces(const std::string& path, const files::MeshFile& in) {
+  if (in.mesh.triangles.empty())
+    throw files::FileError((path == "-" ? "standard input" : path) +
+                           ": there are no faces, so no target can be reached");
 }
 
 std::vector<std::string> drop_attributes(const RecipeOptions& options, const std::string& out,

@@ -40,6 +40,10 @@ void read_selections(const RecipeOptions& options, files::Outputs& outputs);
 
 files::ReadOptions read_options(const RecipeOptions& options);
 
+/// What has no faces has no target, either.
+/// \throw files::FileError
+void require_faces(const std::string& path, const files::MeshFile& in);
+
 /// Takes out of `in` the attributes and materials that `--drop` names, and those that no file will hold, unless a module
 /// weighs them.
 /// To be called when the givens are made.

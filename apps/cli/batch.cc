@@ -15,6 +15,7 @@
 #include "cli/changes.hh"
 #include "cli/commands.hh"
 #include "cli/report.hh"
+#include "files/Outputs.hh"
 #include "terminal/Progress.hh"
 #include "text/format.hh"
 #include "text/number.hh"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 using batch::Outcome;
 
 struct Options : RecipeOptions {
-  std::string source, out, format;
+  std::string source, out, format, json;
   std::size_t jobs = 0;
   std::optional<double> time_limit;
   std::optional<std::size_t> memory_limit;
@@ -114,9 +115,34 @@ std::string table(const std::vector<batch::Item>& items, const std::vector<Outco
   return out + "\n";
 }
 
+Json describe(const Options& options, const std::vector<batch::Item>& items,
+              const std::vector<Outcome>& outcomes, const std::vector<std::string>& problems) {
+  std::map<std::string, std::size_t> counts;
+  Json meshes = Json::array();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Outcome& outcome = outcomes[i];
+    const std::string status = batch::to_string(outcome.status);
+    ++counts[status];
+    meshes.push_back({{"in", items[i].in.string()},
+                      {"out", items[i].out.string()},
+                      {"status", status},
+                      {"message", outcome.message.empty() ? Json(nullptr) : Json(outcome.message)},
+                      {"faces_before", outcome.faces_before},
+                      {"faces_after", outcome.faces_after},
+                      {"seconds", outcome.seconds},
+                      {"attribute_changes", outcome.attribute_changes}});
+  }
+  return {{"command", "batch"}, {"source", options.source},
+          {"out", options.out}, {"interrupted", interrupted != 0},
+          {"statuses", counts}, {"problems", problems},
+          {"meshes", meshes}};
+}
+
 int run_batch(const Options& options) {
   make_recipe(options);  // what is wrong with it is wrong before anything is begun
   batch::Order order;
+  files::Outputs outputs;
+  outputs.add("--json", options.json);
   if (options.out == "-")
     throw batch::BatchError("--out: results cannot go to standard output; ./- is a folder of that name");
   batch::Listing listing = batch::list_items(options.source, options.out, options.format);
@@ -151,8 +177,11 @@ int run_batch(const Options& options) {
   progress.clear();
 
   constexpr std::size_t kShort = 40;  // lines: longer reports list failures only
-  const bool printed = options.quiet || print_summary(table(order.items, outcomes,
-                                                            options.verbose || outcomes.size() <= kShort));
+  outputs.write("--json", json_text(describe(options, order.items, outcomes, listing.problems)));
+  outputs.commit();
+  const bool printed =
+      options.quiet || options.json == "-" ||
+      print_summary(table(order.items, outcomes, options.verbose || outcomes.size() <= kShort));
   if (interrupted != 0) complain("interrupted; --resume goes on from here");
   const auto unlogged =
       std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return !o.logged; });
@@ -191,6 +220,8 @@ Command add_batch(CLI::App& app) {
   command->add_flag("--resume", options->resume,
                     "Leave out what is done already, with the same options and from the same file");
   add_recipe_options(*command, *options, true);
+  command->add_option("--json", options->json,
+                      "Write what became of each mesh as JSON to a file, or to stdout for -");
   command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");
   auto* quiet = command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->add_flag("--verbose", options->verbose, "List every mesh at the end, however many")

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -15,8 +14,6 @@
 
 namespace whittle::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Options : RecipeOptions {
   std::string in, out, json;
@@ -35,30 +32,28 @@ struct Level {
 };
 
 bool has_extension(const std::string& path, const char* wanted) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == wanted;
+  return files::extension_of_format(path) == wanted;
 }
 
 bool is_glb(const std::string& path) {
   return has_extension(path, ".glb");
 }
 
+std::string without_extension(const std::string& path) {
+  return path.substr(0, path.size() - files::whole_extension(path).size());
+}
+
 /// "out/bunny.ply" becomes "out/bunny-lod0.ply", "out/bunny-lod1.ply", and so on.
 std::string file_of(const std::string& out, std::size_t level) {
-  const fs::path path = out;
-  return (path.parent_path() /
-          (path.stem().string() + "-lod" + std::to_string(level) + path.extension().string()))
-      .string();
+  return without_extension(out) + "-lod" + std::to_string(level) +
+         out.substr(out.size() - files::whole_extension(out).size());
 }
 
 /// Where the levels go by default: beside the model. A GLB that holds all levels has another name than the model.
 std::string default_out(const std::string& in) {
   if (in == "-") throw recipe::RecipeError("--out is required where the model comes from standard input");
-  const fs::path path = in;
   if (!is_glb(in) && !has_extension(in, ".gltf")) return in;
-  return (path.parent_path() / (path.stem().string() + "-lods.glb")).string();
+  return without_extension(in) + "-lods.glb";
 }
 
 /// What messages call the output of a level.
@@ -208,6 +203,7 @@ int lods(Options options) {
   add_files(options, outputs);
   files::MeshFile in = files::read_mesh(options.in, read_options(options));
   if (!options.quiet) print_notes(options.in, in.report);
+  require_faces(options.in, in);
   recipe::Givens givens = make_givens(options, in);
   const std::optional<files::ImageSize> image = files::texture_image_size(in.parts);
   std::vector<std::string> left_out = drop_attributes(options, options.out, {}, in);
@@ -230,7 +226,7 @@ int lods(Options options) {
     if (!level.target_reached()) {
       complain("a level has " + std::to_string(level.result.mesh.triangles.size()) + " faces where " +
                std::to_string(level.wanted) + " were wanted; " +
-               why_missed(recipe_for(options, level.wanted), in.report, level.result));
+               why_missed(recipe_for(options, level.wanted), in, level.result));
       return 1;
     }
   return code;

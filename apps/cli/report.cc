@@ -6,10 +6,19 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "files/gaps.hh"
 #include "text/number.hh"
 #include "text/printable.hh"
 
 namespace whittle::cli {
+namespace {
+
+/// Most of the boundary is where two of its edges run beside each other.
+bool is_torn(const files::Gaps& gaps) {
+  return gaps.near >= 3 && 2 * gaps.near > gaps.boundary_vertices;
+}
+
+}  // namespace
 
 std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -38,14 +47,20 @@ void print_notes(const std::string& path, const files::ReadReport& report) {
   for (const std::string& note : report.notes()) complain(path + ": " + note);
 }
 
-std::vector<std::string> missed_because(const recipe::Recipe& recipe, const files::ReadReport& read,
+std::vector<std::string> missed_because(const recipe::Recipe& recipe, const files::MeshFile& in,
                                         const recipe::Result& result) {
   std::vector<std::string> why = recipe::reasons(recipe, result);
   if (why.empty()) return why;
+  const files::ReadReport& read = in.report;
   const auto count = [](std::size_t n) { return std::to_string(n); };
+  const files::Gaps gaps = files::find_gaps(in.mesh);
+  const std::string weld = "--weld " + (is_torn(gaps) ? text::significant(gaps.length, 2) : "LENGTH");
   if (read.lone_faces > 0)
-    why.push_back(count(read.lone_faces) +
-                  " faces share no edge with another: --weld LENGTH joins neighbours");
+    why.push_back(count(read.lone_faces) + " faces share no edge with another: " + weld +
+                  " joins neighbours");
+  else if (is_torn(gaps))
+    why.push_back(count(gaps.near) + " of " + count(gaps.boundary_vertices) +
+                  " vertices on boundaries have another one beside them: " + weld + " joins them");
   if (read.repair == files::Repair::fix) return why;
   if (read.duplicate_faces > 0)
     why.push_back(count(read.duplicate_faces) +
@@ -59,10 +74,11 @@ std::vector<std::string> missed_because(const recipe::Recipe& recipe, const file
   return why;
 }
 
-std::string why_missed(const recipe::Recipe& recipe, const files::ReadReport& read,
+std::string why_missed(const recipe::Recipe& recipe, const files::MeshFile& in,
                        const recipe::Result& result) {
+  const files::ReadReport& read = in.report;
   std::string why;
-  for (const std::string& reason : missed_because(recipe, read, result))
+  for (const std::string& reason : missed_because(recipe, in, result))
     why += (why.empty() ? "" : "; ") + reason;
   // What only wants a weld or a repair to hang together would be torn if its pieces went.
   const bool pieces_would_go = !why.empty() && result.attainable.small > 0 && read.lone_faces == 0 &&

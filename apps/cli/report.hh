@@ -30,12 +30,11 @@ void print_notes(const std::string& path, const files::ReadReport& report);
 void complain(const std::string& message);
 
 /// Why a target was missed, what is the matter with the input included; empty where it was reached.
-std::vector<std::string> missed_because(const recipe::Recipe& recipe, const files::ReadReport& read,
+std::vector<std::string> missed_because(const recipe::Recipe& recipe, const files::MeshFile& in,
                                         const recipe::Result& result);
 
 /// The same as one line, and what would help.
-std::string why_missed(const recipe::Recipe& recipe, const files::ReadReport& read,
-                       const recipe::Result& result);
+std::string why_missed(const recipe::Recipe& recipe, const files::MeshFile& in, const recipe::Result& result);
 
 /// A figure with six digits; in words where it is beyond what a number can be.
 std::string figure(double value);

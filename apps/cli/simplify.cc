@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -6,6 +7,7 @@
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
+#include "recipe/Stopwatch.hh"
 #include "recipe/run_apart.hh"
 #include "text/format.hh"
 #include "text/printable.hh"
@@ -17,6 +19,37 @@ struct Options : RecipeOptions {
   std::string in, out, json, map, format;
   bool ascii = false, quiet = false, verbose = false;
 };
+
+/// Wall-clock seconds of the parts of a run.
+struct Times {
+  double reading = 0;
+  double planning = 0;   ///< execution and refit included
+  double bounding = 0;   ///< keeping --max-distance from outside the planners
+  double measuring = 0;  ///< attributes: carrying them over, and how far they have changed
+  double writing = 0;
+  double total() const { return reading + planning + bounding + measuring + writing; }
+};
+
+Json times_json(const Times& times) {
+  return {{"reading", 1e3 * times.reading},
+          {"planning", 1e3 * times.planning},
+          {"bounding", 1e3 * times.bounding},
+          {"measuring", 1e3 * times.measuring},
+          {"writing", 1e3 * times.writing}};
+}
+
+std::string times_text(const Times& times) {
+  std::string parts;
+  const auto add = [&](const char* what, double seconds) {
+    if (seconds > 0) parts += text::format("%s%s %.1f", parts.empty() ? "" : ", ", what, 1e3 * seconds);
+  };
+  add("reading", times.reading);
+  add("planning", times.planning);
+  add("bounding", times.bounding);
+  add("measuring", times.measuring);
+  add("writing", times.writing);
+  return text::format("%.1f ms (", 1e3 * times.total()) + parts + ")";
+}
 
 Json target_json(const Options& options) {
   if (options.ratio) return {{"ratio", *options.ratio}};
@@ -95,7 +128,7 @@ Json materials_json(const files::Parts& parts) {
 
 Json describe(const Options& options, const recipe::Recipe& recipe, const files::MeshFile& in,
               const Json& attributes_read, const Json& changes, const recipe::Result& result,
-              const files::WriteReport& written, const Json& companions) {
+              const files::WriteReport& written, const Json& companions, const Times& times) {
   Json stages = Json::array();
   for (const recipe::StageResult& stage : result.stages) stages.push_back(to_json(stage));
   return {{"command", "simplify"},
@@ -128,21 +161,23 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
           {"target", target_json(options)},
           {"target_reached", result.target_reached},
           {"target_raised", raised_json(result)},
-          {"target_missed_because", missed_because(recipe, in.report, result)},
+          {"target_missed_because", missed_because(recipe, in, result)},
           {"max_distance", bound_json(recipe, in, result)},
           {"flipped_faces", result.flipped_faces},
-          {"nonmanifold_faces_dropped", result.refused_faces}};
+          {"nonmanifold_faces_dropped", result.refused_faces},
+          {"ms", times_json(times)}};
 }
 
 std::string summary(const Options& options, const recipe::Recipe& recipe, const files::MeshFile& in,
-                    const Json& changes, const recipe::Result& result, const std::string& materials) {
+                    const Json& changes, const recipe::Result& result, const std::string& materials,
+                    const Times& times) {
   const double before = static_cast<double>(in.mesh.triangles.size());
   const double after = static_cast<double>(result.mesh.triangles.size());
   std::string out =
-      text::format("%s: %zu faces of %zu left (%.1f %% removed), %zu vertices, %zu flipped, %.1f ms\n",
+      text::format("%s: %zu faces of %zu left (%.1f %% removed), %zu vertices, %zu flipped, %s\n",
                    text::printable(options.out).c_str(), result.mesh.triangles.size(),
                    in.mesh.triangles.size(), before > 0 ? 100 * (1 - after / before) : 0,
-                   result.mesh.points.size(), result.flipped_faces, 1e3 * result.seconds());
+                   result.mesh.points.size(), result.flipped_faces, times_text(times).c_str());
   out += vanished_lines(charts_json(result), pieces_json(recipe, result));
   if (!materials.empty()) out += "  " + text::printable(materials) + "\n";
   if (result.distance) out += text::format("  distance to the input: %s\n", figure(*result.distance).c_str());
@@ -209,7 +244,7 @@ int complain_about_misses(const recipe::Recipe& recipe, const files::MeshFile& i
   if (!result.target_reached) {
     complain("the target was not reached: " + std::to_string(result.mesh.triangles.size()) + " faces and " +
              std::to_string(result.mesh.points.size()) + " vertices are left; " +
-             why_missed(recipe, in.report, result));
+             why_missed(recipe, in, result));
     code = 1;
   }
   return code;
@@ -228,10 +263,14 @@ int simplify(const Options& options) {
   outputs.add("--map", options.map);
   outputs.add("--json", options.json);
 
+  Times times;
+  recipe::Stopwatch watch;
   files::ReadOptions reading = read_options(options);
   reading.keep_scene = !options.flatten && files::holds_scenes(options.out, format);
   files::MeshFile in = files::read_mesh(options.in, reading);
+  times.reading = watch.lap();
   if (!options.quiet) print_notes(options.in, in.report);
+  if (recipe.target.any()) require_faces(options.in, in);
   const Json attributes_read = names(in.attributes);
   recipe::Givens givens = make_givens(options, in);
   const std::optional<files::ImageSize> image = files::texture_image_size(in.parts);
@@ -242,8 +281,11 @@ int simplify(const Options& options) {
   const recipe::Result result =
       options.each_mesh ? recipe::run_apart(in.mesh, files::meshes_of_faces(in), recipe, {}, givens)
                         : recipe::run(in.mesh, recipe, {}, givens);
+  times.planning = result.seconds();
+  (recipe.max_distance ? times.bounding : times.measuring) = std::max(0.0, watch.lap() - times.planning);
   const bool is_told = !options.quiet || !options.json.empty();
   const Json changes = is_told ? attribute_changes(image, in, result) : Json(nullptr);
+  times.measuring += watch.lap();
 
   format.single_precision = in.single_precision;
   format.texture_at_vertices = in.texture_at_vertices;
@@ -259,15 +301,17 @@ int simplify(const Options& options) {
   const Json companions = names_of(out.companions);
   outputs.write("OUT", std::move(out.bytes));
   outputs.write_beside(std::move(out.companions));
+  times.writing = watch.lap();
   outputs.write("--map", map_text(in, result, out.report));
   outputs.write("--json", json_text(describe(options, recipe, in, attributes_read, changes, result,
-                                             out.report, companions)));
+                                             out.report, companions, times)));
   outputs.commit();
+  times.writing += watch.lap();
   warn(options, result, out.report);
   int code = complain_about_misses(recipe, in, result);
   const bool stdout_is_taken = options.out == "-" || options.map == "-" || options.json == "-";
   if (!options.quiet && !stdout_is_taken &&
-      !print_summary(summary(options, recipe, in, changes, result, out.report.materials)))
+      !print_summary(summary(options, recipe, in, changes, result, out.report.materials, times)))
     code = 1;
   return code;
 }

@@ -77,6 +77,11 @@ Json to_json(const recipe::StageResult& s) {
 Json to_json(const files::ReadReport& r) {
   return {{"format", r.format},
           {"polygons_split", r.polygons},
+          {"polygons_concave", r.concave_polygons},
+          {"polygons_crossing", r.crossing_polygons},
+          {"polygons_flat", r.flat_polygons},
+          {"overlong_lines", r.overlong_lines},
+          {"wrong_count", r.wrong_count.empty() ? Json(nullptr) : Json(r.wrong_count)},
           {"degenerate_faces_dropped", r.dropped_degenerate},
           {"vertices_merged", r.merged_vertices},
           {"vertices_left_apart", r.vertices_apart},

@@ -64,18 +64,6 @@ void reduce(WriteReport& report, const std::string& line) {
   note_once(report.reduced, line);
 }
 
-void note_rounding(const IndexedMesh& mesh, WriteReport& report) {
-  for (const IndexedMesh::Point& point : mesh.points) {
-    for (const double value : point) {
-      // Compared as bits would be: GCC 12 drops a conversion to float and back when it vectorizes.
-      const volatile float narrow = static_cast<float>(value);
-      if (static_cast<double>(narrow) == value) continue;
-      reduce(report, "coordinates rounded to 32-bit floats");
-      return;
-    }
-  }
-}
-
 std::uint8_t to_byte(float component) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(component, 0.0F, 1.0F) * 255.0F));
 }

@@ -37,9 +37,6 @@ void leave_out(WriteReport& report, const std::string& what);
 /// Notes a line about something that is written with less in it, once.
 void reduce(WriteReport& report, const std::string& line);
 
-/// Notes it if 32-bit floats do not hold the coordinates.
-void note_rounding(const IndexedMesh& mesh, WriteReport& report);
-
 /// A colour's component as the 0..255 that it was or is nearest to.
 std::uint8_t to_byte(float component);
 

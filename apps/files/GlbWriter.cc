@@ -12,6 +12,7 @@
 #include "files/beside.hh"
 #include "files/bytes.hh"
 #include "files/formats.hh"
+#include "files/rounding.hh"
 #include "files/subset.hh"
 
 namespace whittle::files {
@@ -41,9 +42,11 @@ void normalize(std::vector<float>& normals) {
 }
 
 int GlbWriter::add(const IndexedMesh& mesh, const attributes::Attributes& attributes, const Parts& parts) {
-  note_rounding(mesh, report_);
+  if (model_.nodes.empty()) origin_ = origin_for_floats(mesh);
+  note_rounding(mesh, report_, origin_);
   if (!has_materials_) add_materials(parts);
   tinygltf::Node node;
+  if (!origin_.isZero()) node.translation.assign(origin_.begin(), origin_.end());
   node.name = "mesh";  // a node that says nothing at all is not written as one
   // A mesh must have a part, and a part must have vertices.
   if (!mesh.points.empty()) node.mesh = add_mesh(mesh, attributes, parts);
@@ -226,7 +229,7 @@ int GlbWriter::add_positions(const IndexedMesh& mesh, const Split& vertices) {
   Numbers values;
   values.reserve(3 * vertices.vertex.size());
   for (const std::uint32_t vertex : vertices.vertex)
-    for (const double value : mesh.points[vertex]) values.push_back(static_cast<float>(value));
+    for (int k = 0; k < 3; ++k) values.push_back(static_cast<float>(mesh.points[vertex][k] - origin_[k]));
   const int index = add_floats(values, TINYGLTF_TYPE_VEC3);
 
   tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(index)];

@@ -22,7 +22,8 @@ class GlbWriter {
     model_.defaultScene = 0;
   }
 
-  /// Adds a mesh, a part of it for each material, and a node for it.
+  /// Adds a mesh, a part of it for each material, and a node for it, which moves the mesh to its place where floats do not
+  /// hold the coordinates; that of the first mesh moves all.
   /// \return the number of the node
   int add(const IndexedMesh& mesh, const attributes::Attributes& attributes, const Parts& parts);
 
@@ -50,6 +51,7 @@ class GlbWriter {
 
   WriteReport& report_;
   bool has_materials_ = false;
+  IndexedMesh::Point origin_ = IndexedMesh::Point::Zero();
   tinygltf::Model model_;
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "files/MeshFile.hh"
+#include "files/PolygonCutter.hh"
 
 namespace whittle::files {
 
@@ -23,8 +24,12 @@ constexpr std::uint32_t no_value = std::numeric_limits<std::uint32_t>::max();
 struct CornerValues {
   std::vector<std::uint32_t> face;               ///< of each corner of the face at hand; empty: it has none
   std::vector<IndexedMesh::Triangle> triangles;  ///< of the triangles so far, short where the last have none
+  std::vector<std::uint32_t> late;               ///< of the polygons that wait for MeshBuilder::cut_late()
 
-  void add_triangle(std::size_t index, std::size_t last_corner);
+  /// \param index     the triangle's
+  /// \param of        its corners' values, by their place among `values`
+  /// \param values    of the polygon's corners; none: the polygon has none
+  void set_triangle(std::size_t index, const IndexedMesh::Triangle& of, const std::uint32_t* values);
 };
 
 class MeshBuilder {
@@ -43,10 +48,15 @@ class MeshBuilder {
   /// \throw Fault  not below `vertices`
   std::uint32_t index(std::int64_t index, std::size_t vertices) const;
 
-  /// Splits the face into a fan and leaves out triangles that name a vertex twice; counts both.
+  /// Cuts the face into triangles and leaves out those that name a vertex twice; counts both.
   /// \param values  whose `face` is empty or has as many entries as the face has corners
   /// \throw Fault  fewer than three corners, unless that is to be fixed
   void add_face(const std::vector<std::uint32_t>& corners, std::initializer_list<CornerValues*> values = {});
+
+  /// Cuts the polygons that were added before their vertices; to be called when all of those are there, for files that
+  /// may have them in such an order. Behind it, drop_degenerate_faces() has to leave out what names a vertex twice.
+  /// \param values  as for add_face
+  void cut_late(std::initializer_list<CornerValues*> values = {});
 
   /// Takes the attribute over, if a corner has a value of it.
   void add_attribute(attributes::Attribute attribute, CornerValues& corners);
@@ -58,8 +68,25 @@ class MeshBuilder {
   float component(double value);
 
  private:
+  struct LatePolygon {
+    std::size_t triangle;  ///< the first of those that it will be
+    std::size_t corner;    ///< the first of its corners in `late_corners_`
+    std::size_t corners;
+  };
+  void add_triangle(const std::uint32_t* corners, const IndexedMesh::Triangle& of,
+                    std::initializer_list<CornerValues*> values);
+  const std::vector<IndexedMesh::Triangle>& cut(const std::uint32_t* corners, std::size_t n);
+  void count_shape(PolygonCutter::Shape shape);
+
   MeshFile& file_;
   bool fixes_;
+  PolygonCutter cutter_;
+  // Of the polygon at hand: the corners that are not the one before once more, their places, and its triangles.
+  std::vector<std::uint32_t> kept_;
+  std::vector<IndexedMesh::Point> places_;
+  std::vector<IndexedMesh::Triangle> cut_;
+  std::vector<LatePolygon> late_;
+  std::vector<std::uint32_t> late_corners_;
 };
 
 /// \param index  as it stands in the file, for the message

@@ -53,9 +53,13 @@ struct ReadOptions {
 
 /// What was in the file that the mesh does not hold as it stood there. Nothing is lost silently: `notes()`.
 struct ReadReport {
-  std::string format;                  ///< for people: "OBJ", "PLY, binary little endian"
-  Repair repair = Repair::report;      ///< as requested; decides what happened to what is counted below
-  std::size_t polygons = 0;            ///< faces with more than three corners, split into fans
+  std::string format;                ///< for people: "OBJ", "PLY, binary little endian"
+  Repair repair = Repair::report;    ///< as requested; decides what happened to what is counted below
+  std::size_t polygons = 0;          ///< faces with more than three corners, cut into triangles
+  std::size_t concave_polygons = 0;  ///< of them, cut by ear clipping
+  std::size_t crossing_polygons =
+      0;                          ///< of them, whose sides cross: no triangles cover them without overlaps
+  std::size_t flat_polygons = 0;  ///< of them, without area
   std::size_t dropped_degenerate = 0;  ///< triangles that name a vertex twice, left out
   std::size_t merged_vertices = 0;     ///< joined with another at the same place; STL: corners
   std::size_t vertices_apart = 0;      ///< at the place of another, not joined: their faces only touch
@@ -65,6 +69,10 @@ struct ReadReport {
   std::size_t parts = 0;           ///< glTF: pieces of the scene, where more than one became this mesh
   std::size_t missing_values = 0;  ///< corners or vertices to which the file gives no value; they got one
   std::size_t zeroed_values = 0;   ///< normals, colours, texture coordinates not finite; read as 0
+  std::size_t overlong_lines =
+      0;  ///< PLY, ASCII: with more values than the header declares, which are not read
+  std::string wrong_count =
+      {};  ///< fix: a line on a count of faces that is not what is in the file; read to its end
 
   std::size_t broken_faces = 0;          ///< fix: use a vertex that is missing or not finite; left out
   std::size_t duplicate_faces = 0;       ///< on the same three vertices as an earlier one; fix: left out
@@ -106,7 +114,13 @@ std::vector<std::string> readable_extensions();
 std::vector<std::string> writable_extensions();
 /// \}
 
-/// Reads a mesh; the format is told by the content where that is certain, else by the extension.
+/// What a name says of the format, in lower case and with its dot: ".ply" of "a.ply" and of "a.PLY.gz".
+std::string extension_of_format(const std::filesystem::path& path);
+
+/// The same with the ".gz" of a packed file.
+std::string whole_extension(const std::filesystem::path& path);
+
+/// Reads a mesh, also one packed by gzip; the format is told by the content where that is certain, else by the extension.
 /// \param path  "-" is standard input, where only the content tells the format
 /// \throw FileError  missing, unreadable, unknown format, damaged, cut off; see Repair for the rest
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
@@ -137,7 +151,7 @@ bool holds_materials(const std::filesystem::path& path, const WriteOptions& opti
 /// What a file could not take.
 struct WriteReport {
   std::vector<std::string> left_out;  ///< "colours", "property 'quality'"
-  std::vector<std::string> reduced;   ///< lines: "coordinates rounded to 32-bit floats"
+  std::vector<std::string> reduced;   ///< lines: "colours rounded to 8 bits"
   /// What became of the materials, a line: "materials in two.mtl"; empty: there are none
   std::string materials;
   /// OBJ, PLY, OFF, GLB (of all levels): written again for values that differ at their corners
@@ -171,7 +185,7 @@ Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
                     const WriteOptions& options = {}, const attributes::Attributes& attributes = {},
                     const Parts& parts = {});
 
-/// Writes a mesh whole or not at all: beside the target, flushed, then renamed.
+/// Writes a mesh whole or not at all: beside the target, flushed, then renamed. Packed by gzip where the name ends so.
 /// \param path  "-" is standard output, for which options.format must be set; it is written as it is, without
 ///              the guarantee
 /// What belongs beside it appears together with it; a file that is there already is not replaced, and must be the same.

@@ -24,25 +24,15 @@ bool fits_float(PlyType type) {
   return type != PlyType::float64 && type != PlyType::int32 && type != PlyType::uint32;
 }
 
-float colour_component(PlyType type, double value, MeshBuilder& builder) {
-  if (!ply_is_integer(type)) return builder.component(value);
-  if (type == PlyType::uint16) return static_cast<float>(value) / 65535.0F;
-  // Text may say anything, a number that is none included.
-  const double byte = std::isfinite(value) ? std::clamp(value, 0.0, 255.0) : 0.0;
-  return from_byte(static_cast<std::uint8_t>(std::lround(byte)));
-}
-
-}  // namespace
-
 /// Properties that are one attribute together. Of each kind the first group that is complete counts.
-struct PlyColumns::Group {
+struct Group {
   Kind kind;
   const char* names[4];
   std::size_t required;
   std::size_t most;
 };
 
-const PlyColumns::Group PlyColumns::groups[] = {
+constexpr Group groups[] = {
     {Kind::normal, {"nx", "ny", "nz"}, 3, 3},
     {Kind::colour, {"red", "green", "blue", "alpha"}, 3, 4},
     {Kind::colour, {"r", "g", "b", "a"}, 3, 4},
@@ -51,6 +41,46 @@ const PlyColumns::Group PlyColumns::groups[] = {
     {Kind::texture, {"u", "v"}, 2, 2},
     {Kind::texture, {"texture_u", "texture_v"}, 2, 2},
 };
+
+std::size_t find(const PlyElement& element, std::string_view name) {
+  for (std::size_t i = 0; i < element.properties.size(); ++i)
+    if (element.properties[i].name == name && !element.properties[i].is_list) return i;
+  return not_found;
+}
+
+/// Empty where the group is not complete.
+std::vector<std::size_t> properties_of(const PlyElement& element, const Group& group) {
+  std::vector<std::size_t> properties;
+  while (properties.size() < group.most) {
+    const std::size_t property = find(element, group.names[properties.size()]);
+    if (property == not_found) break;
+    properties.push_back(property);
+  }
+  if (properties.size() < group.required) properties.clear();
+  return properties;
+}
+
+}  // namespace
+
+std::vector<std::size_t> ply_colour_properties(const PlyElement& element) {
+  for (const Group& group : groups) {
+    if (group.kind != Kind::colour) continue;
+    if (auto properties = properties_of(element, group); !properties.empty()) return properties;
+  }
+  return {};
+}
+
+bool is_byte_colour(PlyType type) {
+  return ply_is_integer(type) && type != PlyType::uint16;
+}
+
+float ply_colour_component(PlyType type, double value, MeshBuilder& builder) {
+  if (!ply_is_integer(type)) return builder.component(value);
+  if (type == PlyType::uint16) return static_cast<float>(value) / 65535.0F;
+  // Text may say anything, a number that is none included.
+  const double byte = std::isfinite(value) ? std::clamp(value, 0.0, 255.0) : 0.0;
+  return from_byte(static_cast<std::uint8_t>(std::lround(byte)));
+}
 
 PlyColumns::PlyColumns(const PlyElement& vertex, bool texture_at_corners, MeshBuilder& builder)
     : builder_(builder), targets_(vertex.properties.size()) {
@@ -62,9 +92,11 @@ PlyColumns::PlyColumns(const PlyElement& vertex, bool texture_at_corners, MeshBu
     targets_[property] = {What::coordinate, 0, axis, type};
     single_precision_ = single_precision_ && type == PlyType::float32;
   }
-  for (const Group& group : groups)
-    if (!has_kind(attributes_, group.kind))
-      take_group(vertex, group, group.kind != Kind::texture || !texture_at_corners);
+  for (const Group& group : groups) {
+    if (has_kind(attributes_, group.kind)) continue;
+    if (const auto properties = properties_of(vertex, group); !properties.empty())
+      take_group(vertex, group.kind, properties, group.kind != Kind::texture || !texture_at_corners);
+  }
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const PlyProperty& property = vertex.properties[i];
     if (property.is_list) builder_.ignore("vertex property " + in_quotes(property.name));
@@ -75,28 +107,16 @@ PlyColumns::PlyColumns(const PlyElement& vertex, bool texture_at_corners, MeshBu
   rounded_.assign(attributes_.size(), false);
 }
 
-std::size_t PlyColumns::find(const PlyElement& vertex, std::string_view name) const {
-  for (std::size_t i = 0; i < targets_.size(); ++i)
-    if (vertex.properties[i].name == name && !vertex.properties[i].is_list) return i;
-  return not_found;
-}
-
-void PlyColumns::take_group(const PlyElement& vertex, const Group& group, bool read) {
-  std::size_t properties[4];
-  std::size_t components = 0;
-  while (components < group.most &&
-         (properties[components] = find(vertex, group.names[components])) != not_found)
-    ++components;
-  if (components < group.required) return;
-
+void PlyColumns::take_group(const PlyElement& vertex, Kind kind, const std::vector<std::size_t>& properties,
+                            bool read) {
   Attribute attribute;
-  attribute.kind = group.kind;
-  attribute.components = components;
-  attribute.bytes = group.kind == Kind::colour;
-  for (std::size_t k = 0; k < components; ++k) {
+  attribute.kind = kind;
+  attribute.components = properties.size();
+  attribute.bytes = kind == Kind::colour;
+  for (std::size_t k = 0; k < properties.size(); ++k) {
     const PlyType type = vertex.properties[properties[k]].type;
     targets_[properties[k]] = {read ? What::attribute : What::ignored, attributes_.size(), k, type};
-    attribute.bytes = attribute.bytes && ply_is_integer(type) && type != PlyType::uint16;
+    attribute.bytes = attribute.bytes && is_byte_colour(type);
   }
   if (read)
     attributes_.push_back(std::move(attribute));
@@ -120,7 +140,7 @@ void PlyColumns::set(std::size_t vertex, std::size_t property, double value) {
 
 float PlyColumns::narrowed(const Target& target, double value) {
   const Kind kind = attributes_[target.attribute].kind;
-  if (kind == Kind::colour) return colour_component(target.type, value, builder_);
+  if (kind == Kind::colour) return ply_colour_component(target.type, value, builder_);
   const float narrow = kind == Kind::scalar ? static_cast<float>(value) : builder_.component(value);
   if (!fits_float(target.type) && std::isfinite(value) && static_cast<double>(narrow) != value)
     rounded_[target.attribute] = true;

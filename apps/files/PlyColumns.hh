@@ -10,6 +10,15 @@
 
 namespace whittle::files {
 
+/// The properties that are a colour together, in their order; empty: there is none.
+std::vector<std::size_t> ply_colour_properties(const PlyElement& element);
+
+/// Whether its values are kept exactly as bytes.
+bool is_byte_colour(PlyType type);
+
+/// A component of a colour, from 0..255, 0..65535 or a floating-point number.
+float ply_colour_component(PlyType type, double value, MeshBuilder& builder);
+
 /// Where each property's value goes, and the attributes that come of it.
 class PlyColumns {
  public:
@@ -45,11 +54,8 @@ class PlyColumns {
     PlyType type = PlyType::float32;
   };
 
-  struct Group;
-  static const Group groups[];
-
-  void take_group(const PlyElement& vertex, const Group& group, bool read);
-  std::size_t find(const PlyElement& vertex, std::string_view name) const;
+  void take_group(const PlyElement& vertex, attributes::Kind kind, const std::vector<std::size_t>& properties,
+                  bool read);
   float narrowed(const Target& target, double value);
 
   MeshBuilder& builder_;

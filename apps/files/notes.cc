@@ -51,6 +51,9 @@ std::vector<std::string> ReadReport::notes() const {
   Notes notes;
   notes.add(parts, "part", "parts", " of the scene joined into one mesh");
   notes.add(polygons, "face", "faces", " with more than three corners split into triangles");
+  notes.add(concave_polygons, "of them is", "of them are", " concave and cut by ear clipping");
+  notes.add(crossing_polygons, "of them crosses", "of them cross", " itself, so triangles of it overlap");
+  notes.add(flat_polygons, "of them has", "of them have", " no area");
   notes.add(dropped_degenerate, "triangle that names", "triangles that name", " a vertex twice left out");
   notes.add(merged_vertices, "vertex", "vertices", " joined with others at the same place");
   notes.add(vertices_apart, "vertex", "vertices",
@@ -60,6 +63,9 @@ std::vector<std::string> ReadReport::notes() const {
               " left open between faces of opposite orientation; repair 'fix' turns and joins them");
   notes.add(missing_values, "corner or vertex", "corners or vertices",
             " without a value of an attribute that others have");
+  notes.add(overlong_lines, "line has", "lines have",
+            " more values than the header declares; the surplus is not read");
+  if (!wrong_count.empty()) notes.add_lines({wrong_count});
   notes.add(zeroed_values, "value", "values", " of attributes not finite and read as 0");
   notes.add(broken_faces, "face that uses", "faces that use",
             " a vertex that is missing or not finite left out");

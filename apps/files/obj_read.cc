@@ -1,12 +1,11 @@
 /// \file
 /// Wavefront OBJ: reading.
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "files/Choice.hh"
 #include "files/Fault.hh"
 #include "files/MeshBuilder.hh"
+#include "files/ObjColours.hh"
 #include "files/ObjIndices.hh"
 #include "files/ObjParts.hh"
 #include "files/TextReader.hh"
@@ -22,13 +21,6 @@ using attributes::Attribute;
 using attributes::Kind;
 
 constexpr TextReader::Syntax obj_syntax{'#', true};
-
-/// True if every value is one of 256 and keeps its bits as such.
-bool are_bytes(const std::vector<float>& values) {
-  for (const float value : values)
-    if (from_byte(to_byte(value)) != value) return false;
-  return true;
-}
 
 class ObjReader {
  public:
@@ -54,11 +46,13 @@ class ObjReader {
         builder_.ignore(unread_statement(keyword));
     }
     if (!fixes_) vertex_indices_.check(file_.mesh.points.size(), line_);
+    builder_.cut_late({&texture_of_, &normal_of_});
     add_colours();
     add_at_corners(texture_, texture_of_, texture_indices_);
     add_at_corners(normals_, normal_of_, normal_indices_);
     file_.parts = parts_.take_parts();
     drop_faces_without_vertices(file_);
+    drop_degenerate_faces(file_);
     settle(file_);
     return std::move(file_);
   }
@@ -69,24 +63,15 @@ class ObjReader {
     const double y = in_.real<double>();
     const double z = in_.real<double>();
     builder_.add_point(x, y, z);
-    float extra[4] = {0, 0, 0, 1};
+    float extra[5] = {1, 1, 1, 1, 1};
     std::size_t count = 0;
     for (std::string_view word = in_.word(); !word.empty(); word = in_.word(), ++count) {
-      if (count == 4) throw Fault("a vertex has more than 7 numbers");
+      if (count == 5) throw Fault("a vertex has more than 8 numbers");
       extra[count] = builder_.component(parse_real<float>(word));
     }
     if (count == 2) throw Fault("a vertex has 5 numbers");
-    if (count == 1) builder_.ignore("vertex weights");
-    if (count >= 3) add_colour(extra, count);
-  }
-
-  /// Vertices without a colour are white. There is room for opacity in any case until it is known.
-  void add_colour(const float* colour, std::size_t components) {
-    const std::size_t missing = file_.mesh.points.size() - 1 - colours_.size() / 4;
-    file_.report.missing_values += missing;
-    colours_.resize(colours_.size() + 4 * missing, 1.0F);
-    colours_.insert(colours_.end(), colour, colour + 4);
-    if (components == 4) colour_components_ = 4;
+    if (count == 1 || count == 5) builder_.ignore("vertex weights");
+    if (count >= 3) colours_.add(extra, count, file_.mesh.points.size() - 1);
   }
 
   void read_texture() {
@@ -115,7 +100,7 @@ class ObjReader {
     parts_.add_faces(file_.mesh.triangles.size());
   }
 
-  /// A corner is `v`, `v/t`, `v//n` or `v/t/n`.
+  /// A corner is `v`, `v/t`, `v//n` or `v/t/n`; some programs leave the slashes of what is not there.
   void read_corner(std::string_view word) {
     const std::size_t slash = word.find('/');
     const std::int64_t index = parse_integer(word.substr(0, slash));
@@ -125,8 +110,9 @@ class ObjReader {
     const std::size_t second = word.find('/');
     if (const std::string_view texture = word.substr(0, second); !texture.empty())
       set_value(texture_of_, texture_indices_, texture, texture_.n_values());
-    if (second != std::string_view::npos)
-      set_value(normal_of_, normal_indices_, word.substr(second + 1), normals_.n_values());
+    if (second == std::string_view::npos) return;
+    if (const std::string_view normal = word.substr(second + 1); !normal.empty())
+      set_value(normal_of_, normal_indices_, normal, normals_.n_values());
   }
 
   /// \param count  values of the list so far
@@ -137,16 +123,8 @@ class ObjReader {
 
   void add_colours() {
     if (colours_.empty()) return;
-    const std::size_t missing = file_.mesh.points.size() - colours_.size() / 4;
-    file_.report.missing_values += missing;
-    colours_.resize(colours_.size() + 4 * missing, 1.0F);
-    Attribute colour;
-    colour.kind = Kind::colour;
-    colour.components = colour_components_;
-    for (std::size_t i = 0; i < colours_.size(); ++i)
-      if (i % 4 < colour.components) colour.values.push_back(colours_[i]);
-    colour.bytes = are_bytes(colour.values);
-    file_.attributes.push_back(std::move(colour));
+    if (colours_.have_weights()) builder_.ignore("vertex weights");
+    file_.attributes.push_back(colours_.take(file_.mesh.points.size(), file_.report.missing_values));
   }
 
   void add_at_corners(Attribute& attribute, CornerValues& corners, const ObjIndices& indices) {
@@ -186,8 +164,7 @@ class ObjReader {
   Attribute normals_ = empty_attribute(Kind::normal, 3);
   CornerValues texture_of_, normal_of_;
   ObjParts parts_;
-  std::vector<float> colours_;  ///< four numbers for each vertex up to the last one with a colour
-  std::size_t colour_components_ = 3;
+  ObjColours colours_;
   std::vector<std::uint32_t> corners_;
 };
 

@@ -31,6 +31,14 @@ std::size_t colour_numbers(const Attribute& colour) {
   return 3;
 }
 
+/// Four numbers that all begin with 1 would be read as a weight and a colour; with a weight before them they are not.
+bool wants_weight(const Attribute& colour, std::size_t numbers) {
+  if (numbers < 4) return false;
+  for (std::size_t i = 0; i < colour.n_values(); ++i)
+    if (colour.value(i)[0] != 1.0F) return false;
+  return true;
+}
+
 /// The statements that make one part of another; null: there was none before.
 void write_part(TextWriter& out, const Part& part, const Part* before,
                 const std::vector<std::string>& materials) {
@@ -69,8 +77,10 @@ std::string obj_bytes(const IndexedMesh& mesh, const attributes::Attributes& att
   TextWriter out(options.single_precision);
   for (const std::string& library : libraries) out << "mtllib " << library << "\n";
   const std::size_t colours = choice.colour ? colour_numbers(*choice.colour) : 0;
+  const bool weight = choice.colour && wants_weight(*choice.colour, colours);
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     out << "v " << mesh.points[i];
+    if (weight) out << " 1";
     if (colours > 0) out.floats(choice.colour->value(i), colours);
     out << "\n";
   }

@@ -24,9 +24,8 @@ class PlyText {
   void begin_line() {
     if (!in_.next_line()) throw Fault("the file is cut off");
   }
-  void end_line() {
-    if (!in_.word().empty()) throw Fault("more values in the line than the header declares");
-  }
+  /// \return whether there was more in it than the header declares
+  bool end_line() { return !in_.word().empty(); }
 
   double real(PlyType type) { return type == PlyType::float32 ? in_.real<float>() : in_.real<double>(); }
   std::int64_t integer(PlyType) { return in_.integer(); }
@@ -47,7 +46,7 @@ class PlyBytes {
   std::size_t remaining() const { return bytes_.size(); }
 
   void begin_line() {}
-  void end_line() {}
+  bool end_line() { return false; }
 
   double real(PlyType type) {
     switch (type) {

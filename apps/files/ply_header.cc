@@ -61,6 +61,7 @@ class HeaderReader {
  private:
   void read_statement(std::string_view keyword) {
     if (keyword == "comment" && in_.word() == "TextureFile") header_.texture_file = true;
+    if (keyword == "obj_info") read_info();
     if (keyword == "comment" || keyword == "obj_info") return;
     if (keyword == "format")
       read_format();
@@ -71,6 +72,14 @@ class HeaderReader {
     else if (keyword != "end_header")
       throw Fault("unknown header line " + in_quotes(keyword));
     if (const std::string_view word = in_.word(); !word.empty()) throw Fault("unexpected " + in_quotes(word));
+  }
+
+  /// Of a range image; anything else may stand there, too.
+  void read_info() {
+    const std::string_view name = in_.word(), value = in_.word();
+    if (value.empty() || value.find_first_not_of("0123456789") != std::string_view::npos) return;
+    if (name == "num_cols") header_.grid_columns = parse_count(value);
+    if (name == "num_rows") header_.grid_rows = parse_count(value);
   }
 
   void read_format() {

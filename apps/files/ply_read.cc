@@ -1,17 +1,21 @@
 /// \file
 /// Stanford PLY: any elements and properties in any order, as text or binary of either byte order.
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "files/Fault.hh"
 #include "files/MeshBuilder.hh"
 #include "files/PlyColumns.hh"
+#include "files/PlyFaceColours.hh"
 #include "files/TextReader.hh"
 #include "files/bytes.hh"
 #include "files/formats.hh"
 #include "files/ply_body.hh"
 #include "files/ply_header.hh"
+#include "files/ply_strips.hh"
 #include "files/settle.hh"
+#include "files/subset.hh"
 
 namespace whittle::files {
 namespace {
@@ -31,6 +35,15 @@ std::string unread_name(const std::string& property) {
     return "face colours";
   if (property == "nx" || property == "ny" || property == "nz") return "face normals";
   return "face property " + in_quotes(property);
+}
+
+enum class Faces { none, strips, fans, grid };
+
+/// The elements that are faces in another form.
+Faces faces_of(const std::string& element) {
+  if (element == "tristrips" || element == "tristrip") return Faces::strips;
+  if (element == "trifans" || element == "trifan") return Faces::fans;
+  return element == "range_grid" ? Faces::grid : Faces::none;
 }
 
 /// Reads the body. Values is PlyText or PlyBytes.
@@ -53,11 +66,13 @@ class BodyReader {
         read_vertices(element);
       else if (element.name == "face")
         read_faces(element);
+      else if (faces_of(element.name) != Faces::none)
+        read_lists(element, faces_of(element.name));
       else
         skip_element(element);
     }
+    finish_faces();
     if (header_.texture_file) builder_.ignore("texture image");
-    builder_.add_attribute(std::move(texture_), texture_of_);
     settle(file_);
   }
 
@@ -94,13 +109,14 @@ class BodyReader {
           skip(element.properties[k]);
       }
       builder_.add_point(columns.point()[0], columns.point()[1], columns.point()[2]);
-      values_.end_line();
+      end_line();
     }
     file_.attributes = columns.take();
   }
 
   void read_faces(const PlyElement& element) {
     if (element.count == 0) return;
+    colours_.emplace(element, header_.find("vertex"), builder_);
     const PlyProperty* corner_list = nullptr;
     const PlyProperty* texture_list = nullptr;
     for (const PlyProperty& property : element.properties) {
@@ -108,7 +124,7 @@ class BodyReader {
         corner_list = &property;
       else if (is_texture_list(property))
         texture_list = &property;
-      else
+      else if (!colours_->has(static_cast<std::size_t>(&property - element.properties.data())))
         builder_.ignore(unread_name(property.name));
     }
     if (corner_list == nullptr) throw Fault("the faces have no list vertex_indices");
@@ -118,17 +134,57 @@ class BodyReader {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values_.begin_line();
       texture_numbers_.clear();
-      for (const PlyProperty& property : element.properties) {
+      for (std::size_t k = 0; k < element.properties.size(); ++k) {
+        const PlyProperty& property = element.properties[k];
         if (&property == corner_list)
           read_corners(property);
         else if (&property == texture_list)
           read_texture(property);
+        else if (colours_->takes(k))
+          colours_->set(k, property.type, values_.real(property.type));
         else
           skip(property);
       }
-      values_.end_line();
+      end_line();
       add_face();
     }
+  }
+
+  /// Faces as lists of another kind than their corners.
+  void read_lists(const PlyElement& element, Faces kind) {
+    const PlyProperty* list = nullptr;
+    for (const PlyProperty& property : element.properties)
+      if (is_corner_list(property) && list == nullptr) list = &property;
+    if (list == nullptr || !ply_is_integer(list->type)) return skip_element(element);
+    if (kind == Faces::grid) grid_.emplace(header_.grid_columns, header_.grid_rows, element.count);
+    std::vector<std::int64_t> indices;
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      values_.begin_line();
+      indices.clear();
+      for (const PlyProperty& property : element.properties) {
+        if (&property != list) {
+          skip(property);
+          continue;
+        }
+        const std::uint64_t length = list_length(property);
+        for (std::uint64_t k = 0; k < length; ++k) indices.push_back(values_.integer(list->type));
+      }
+      end_line();
+      if (grid_ && kind == Faces::grid)
+        grid_->add_cell(indices.empty() ? no_vertex : builder_.index(indices[0], vertices_));
+      else
+        add_ply_strip(indices, kind == Faces::fans, vertices_, builder_);
+    }
+  }
+
+  /// To be called when all is read.
+  void finish_faces() {
+    if (grid_) grid_->add_faces(builder_);
+    if (!colours_) return;  // there is no face
+    builder_.cut_late({&texture_of_, &colours_->all()});
+    builder_.add_attribute(std::move(texture_), texture_of_);
+    builder_.add_attribute(colours_->take(), colours_->all());
+    drop_degenerate_faces(file_);
   }
 
   void read_corners(const PlyProperty& list) {
@@ -155,7 +211,7 @@ class BodyReader {
         texture_of_.face.push_back(static_cast<std::uint32_t>(texture_.n_values() + i));
       texture_.values.insert(texture_.values.end(), texture_numbers_.begin(), texture_numbers_.end());
     }
-    builder_.add_face(corners_, {&texture_of_});
+    builder_.add_face(corners_, {&texture_of_, &colours_->at_corners(corners_.size())});
   }
 
   void skip_element(const PlyElement& element) {
@@ -165,12 +221,16 @@ class BodyReader {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values_.begin_line();
       for (const PlyProperty& property : element.properties) skip(property);
-      values_.end_line();
+      end_line();
     }
   }
 
   void skip(const PlyProperty& property) {
     values_.skip(property.type, property.is_list ? list_length(property) : 1);
+  }
+
+  void end_line() {
+    if (values_.end_line()) ++file_.report.overlong_lines;
   }
 
   std::uint64_t list_length(const PlyProperty& list) {
@@ -185,6 +245,8 @@ class BodyReader {
   MeshBuilder builder_;
   attributes::Attribute texture_;
   CornerValues texture_of_;
+  std::optional<PlyFaceColours> colours_;
+  std::optional<PlyGrid> grid_;
   std::uint64_t vertices_ = 0;
   std::vector<std::uint32_t> corners_;
   std::vector<float> texture_numbers_;  ///< of the face at hand

@@ -11,6 +11,7 @@
 #include "files/Descriptor.hh"
 #include "files/Fault.hh"
 #include "files/formats.hh"
+#include "files/gzip.hh"
 #include "files/join.hh"
 #include "files/mtl.hh"
 #include "files/repair.hh"
@@ -18,8 +19,29 @@
 namespace whittle::files {
 namespace {
 
+/// The next bytes, none at the end.
+std::size_t read_some(int file, char* to, std::size_t room) {
+  for (;;) {
+    const ssize_t got = ::read(file, to, room);
+    if (got >= 0) return static_cast<std::size_t>(got);
+    if (errno != EINTR) throw Fault(error_text(errno));
+  }
+}
+
+/// What is packed from here on.
+/// \param begin  the bytes that have been read already
+std::string unpacked(int file, const std::string& begin) {
+  Gunzip gunzip;
+  gunzip.add(begin);
+  std::string chunk(1 << 18, '\0');
+  while (const std::size_t got = read_some(file, chunk.data(), chunk.size()))
+    gunzip.add(std::string_view(chunk).substr(0, got));
+  return gunzip.take();
+}
+
 /// All that comes from a descriptor. A device such as /dev/zero has no end, so only what has one is read.
-std::string read_all(int file) {
+/// \param gunzip  set to whether it was packed by gzip; null: not to be looked for
+std::string read_all(int file, bool* gunzip) {
   struct stat status {};
   if (::fstat(file, &status) != 0) throw Fault(error_text(errno));
   if (S_ISDIR(status.st_mode)) throw Fault(error_text(EISDIR));
@@ -28,25 +50,34 @@ std::string read_all(int file) {
     throw Fault("neither a file nor a pipe");
 
   constexpr std::size_t chunk = 1 << 16;
-  std::string bytes(regular ? static_cast<std::size_t>(status.st_size) : 0, '\0');
+  std::string bytes;
   std::size_t used = 0;
+  if (gunzip != nullptr) {
+    bytes.resize(chunk);
+    while (used < 3) {
+      const std::size_t got = read_some(file, bytes.data() + used, chunk - used);
+      if (got == 0) break;
+      used += got;
+    }
+    *gunzip = is_gzip(std::string_view(bytes).substr(0, used));
+    if (*gunzip) return unpacked(file, bytes.substr(0, used));
+  }
+  if (regular) bytes.resize(std::max(used, static_cast<std::size_t>(status.st_size)));
   for (;;) {
     if (!regular && bytes.size() - used < chunk) bytes.resize(2 * bytes.size() + chunk);
-    const ssize_t got = ::read(file, bytes.data() + used, bytes.size() - used);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw Fault(error_text(errno));
+    const std::size_t got = read_some(file, bytes.data() + used, bytes.size() - used);
     if (got == 0) break;
-    used += static_cast<std::size_t>(got);
+    used += got;
   }
   bytes.resize(used);
   return bytes;
 }
 
-std::string read_path(const std::filesystem::path& path) {
-  if (path == "-") return read_all(STDIN_FILENO);
+std::string read_path(const std::filesystem::path& path, bool* gunzip = nullptr) {
+  if (path == "-") return read_all(STDIN_FILENO, gunzip);
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) throw Fault(error_text(errno));
-  return read_all(file.get());
+  return read_all(file.get(), gunzip);
 }
 
 MeshFile read_format(std::string_view bytes, Format format, const ReadOptions& options, std::size_t& line,
@@ -71,12 +102,17 @@ MeshFile read_format(std::string_view bytes, Format format, const ReadOptions& o
 }
 
 MeshFile read_named(const std::filesystem::path& path, const ReadOptions& options, std::size_t& line) {
-  const std::string bytes = read_path(path);
+  bool was_packed = false;
+  const std::string bytes = read_path(path, &was_packed);
   if (bytes.empty()) throw Fault("the file is empty");
-  if (path == "-") return parse(bytes, likely_format(bytes), options, line, path);
   Format format{};
-  if (!format_of_content(bytes, format)) format = format_of_extension(path.extension().string());
-  return parse(bytes, format, options, line, path);
+  if (path == "-")
+    format = likely_format(bytes);
+  else if (!format_of_content(bytes, format))
+    format = format_of_extension(extension_of_format(path));
+  MeshFile file = parse(bytes, format, options, line, path);
+  if (was_packed) file.report.format += ", gzip";
+  return file;
 }
 
 /// Runs an action and turns what it throws into a FileError that names the file and, if it is text, the line.

@@ -14,6 +14,7 @@
 #include "files/beside.hh"
 #include "files/formats.hh"
 #include "files/gltf_uri.hh"
+#include "files/gzip.hh"
 #include "files/obj_materials.hh"
 #include "files/scene_references.hh"
 
@@ -439,6 +440,7 @@ Encoded encode_scene(const fs::path& path, const MeshFile& in, const SceneResult
     } catch (const Json::exception&) {
       throw Fault("not written: the JSON of the input is damaged; --flatten writes its triangles alone");
     }
+    if (is_gzip_name(path)) out.bytes = gzipped(out.bytes);
     return out;
   });
 }

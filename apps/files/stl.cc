@@ -12,6 +12,7 @@
 #include "files/TextWriter.hh"
 #include "files/bytes.hh"
 #include "files/formats.hh"
+#include "files/rounding.hh"
 
 namespace whittle::files {
 namespace {
@@ -27,8 +28,23 @@ class TextStl {
   TextStl(std::string_view bytes, std::size_t& line, MeshBuilder& builder)
       : in_(bytes, line, {}), builder_(builder) {}
 
-  /// One solid or several.
+  /// One solid or several. A file that ends early is read to its last whole facet, if that is to be fixed.
   void read() {
+    try {
+      read_solids();
+    } catch (const Fault& fault) {
+      if (in_.remaining() > 0) throw;
+      if (!builder_.fixes())
+        throw Fault(std::string(fault.what()) + ": the file is cut off; --repair fix reads what is there");
+      IndexedMesh& mesh = builder_.mesh();
+      mesh.points.resize(points_of_facets_);
+      mesh.triangles.resize(triangles_of_facets_);
+      builder_.report().wrong_count = "the file is cut off: read to its last whole facet";
+    }
+  }
+
+ private:
+  void read_solids() {
     std::string_view word = in_.word_anywhere();
     while (!word.empty()) {
       check(word, "solid");
@@ -42,7 +58,6 @@ class TextStl {
     }
   }
 
- private:
   void read_facet() {
     expect("normal");
     for (int i = 0; i < 3; ++i) in_.word();  // follows from the corners; many files have NaN here
@@ -60,6 +75,8 @@ class TextStl {
     check(word, "endloop");
     expect("endfacet");
     builder_.add_face(corners_);
+    points_of_facets_ = builder_.mesh().points.size();
+    triangles_of_facets_ = builder_.mesh().triangles.size();
   }
 
   /// The rest is the name of the solid.
@@ -78,6 +95,7 @@ class TextStl {
   TextReader in_;
   MeshBuilder& builder_;
   std::vector<std::uint32_t> corners_;
+  std::size_t points_of_facets_ = 0, triangles_of_facets_ = 0;  ///< without the one at hand
 };
 
 std::uint32_t declared_triangles(std::string_view bytes) {
@@ -86,11 +104,15 @@ std::uint32_t declared_triangles(std::string_view bytes) {
 
 void read_binary(std::string_view bytes, MeshBuilder& builder) {
   if (bytes.size() < preamble_bytes) throw Fault("the file is cut off: too short for an STL header");
-  const std::size_t count = declared_triangles(bytes);
+  const std::size_t declared = declared_triangles(bytes);
   bytes.remove_prefix(preamble_bytes);
-  if (count > bytes.size() / triangle_bytes)
-    throw Fault("the file is cut off: it has room for " + std::to_string(bytes.size() / triangle_bytes) +
-                " of " + std::to_string(count) + " triangles");
+  const std::size_t count = bytes.size() / triangle_bytes;
+  if (count != declared) {
+    const std::string what = std::to_string(declared) + " triangles are declared, " + std::to_string(count) +
+                             (count < declared ? " are there: the file is cut off" : " are there");
+    if (!builder.fixes()) throw Fault(what + "; --repair fix reads what is there");
+    builder.report().wrong_count = what;
+  }
   builder.mesh().triangles.reserve(count);
   builder.mesh().points.reserve(3 * count);
   std::vector<std::uint32_t> corners(3);

@@ -134,4 +134,11 @@ void drop_faces_without_vertices(MeshFile& file) {
   file.report.broken_faces += keep_faces(file, keep);
 }
 
+void drop_degenerate_faces(MeshFile& file) {
+  std::vector<bool> keep;
+  keep.reserve(file.mesh.triangles.size());
+  for (const auto& [a, b, c] : file.mesh.triangles) keep.push_back(a != b && b != c && c != a);
+  file.report.dropped_degenerate += keep_faces(file, keep);
+}
+
 }  // namespace whittle::files

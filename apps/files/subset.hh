@@ -32,4 +32,7 @@ FacesAlone faces_alone(const IndexedMesh& mesh, const attributes::Attributes& at
 /// Takes out the faces that name a vertex that is not there, and counts them as broken.
 void drop_faces_without_vertices(MeshFile& file);
 
+/// Takes out the faces that name a vertex twice, and counts them.
+void drop_degenerate_faces(MeshFile& file);
+
 }  // namespace whittle::files

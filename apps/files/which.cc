@@ -1,8 +1,12 @@
 /// \file
 /// Which format a file has, by its name or by what is in it.
+#include <algorithm>
+#include <cctype>
+
 #include "files/Fault.hh"
 #include "files/TextReader.hh"
 #include "files/formats.hh"
+#include "files/gzip.hh"
 
 namespace whittle::files {
 namespace {
@@ -34,6 +38,17 @@ std::vector<std::string> writable_extensions() {
   std::vector<std::string> all;
   for (const ExtensionOf& known : extensions) all.emplace_back(known.extension);
   return all;
+}
+
+std::string extension_of_format(const std::filesystem::path& path) {
+  std::string extension = (is_gzip_name(path) ? path.stem() : path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::string whole_extension(const std::filesystem::path& path) {
+  return extension_of_format(path) + (is_gzip_name(path) ? ".gz" : "");
 }
 
 Format format_of_extension(const std::string& extension) {

@@ -9,6 +9,7 @@
 #include "files/GltfOutput.hh"
 #include "files/Outputs.hh"
 #include "files/formats.hh"
+#include "files/gzip.hh"
 #include "files/obj_materials.hh"
 #include "files/split.hh"
 
@@ -149,7 +150,7 @@ std::vector<const Attribute*> to_be_split(const attributes::Attributes& attribut
 Format format_to_write(const std::filesystem::path& path, const WriteOptions& options) {
   if (options.format.empty() && path == "-") throw Fault("the format of standard output must be named");
   const Format format =
-      format_of_extension(options.format.empty() ? path.extension().string() : "." + options.format);
+      format_of_extension(options.format.empty() ? extension_of_format(path) : "." + options.format);
   if (format == Format::gltf && path == "-")
     throw Fault("gltf has its data in a file beside it; standard output takes glb");
   return format;
@@ -238,6 +239,7 @@ Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, 
       if (!data.empty())
         encoded.companions.push_back({path.parent_path() / data_file_name(path), std::move(data), path});
     }
+    if (is_gzip_name(path)) encoded.bytes = gzipped(encoded.bytes);
     return encoded;
   });
 }
@@ -271,6 +273,7 @@ Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<L
       views.push_back({&level.mesh, &finite.back(), &level.parts, level.error});
     }
     encoded.bytes = glb_bytes(views, encoded.report);
+    if (is_gzip_name(path)) encoded.bytes = gzipped(encoded.bytes);
     return encoded;
   });
 }

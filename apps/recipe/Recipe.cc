@@ -256,8 +256,8 @@ Scale measure_scale(const IndexedMesh& mesh) {
 
 void check(const Recipe& recipe) {
   for (const Stage& stage : stages_of(recipe)) check_stage(stage, recipe.target.any() || recipe.max_distance);
-  if (recipe.target.ratio && !(*recipe.target.ratio > 0 && *recipe.target.ratio < 1))
-    throw RecipeError("the ratio must lie between 0 and 1, both ends excluded");
+  if (recipe.target.ratio && !(*recipe.target.ratio > 0 && *recipe.target.ratio <= 1))
+    throw RecipeError("the ratio must be above 0 and at most 1");
   if (recipe.pieces.what == PieceRule::What::by_error && !recipe.target.any())
     throw RecipeError(
         "pieces vanish by error on the way to a target only; give one, or a length for the pieces");
@@ -318,7 +318,9 @@ Result run(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor
   result.held = held.all;
   result.held_on_seams = held.on_seams;
   result.attainable = pieces.attainable;
-  if (wants_refit(recipe)) refit_result(task, bound, result);
+  // What has lost no face is the input as it is.
+  if (wants_refit(recipe) && result.mesh.triangles.size() < mesh.triangles.size())
+    refit_result(task, bound, result);
   count_charts(task, result);
   result.flipped_faces = count_flips(mesh, result.mesh, result.face_origin);
   if (givens.attributes)

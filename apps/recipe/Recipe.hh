@@ -44,7 +44,7 @@ std::string to_string(Driver driver);
 
 /// When to stop; without any, each module goes as far as its threshold takes it.
 struct Target {
-  std::optional<double> ratio;          ///< of the faces, in (0, 1)
+  std::optional<double> ratio;          ///< of the faces, in (0, 1]; with 1 the mesh stays as it is
   std::optional<std::size_t> faces;     ///< at most this many
   std::optional<std::size_t> vertices;  ///< at most this many
   bool any() const { return ratio || faces || vertices; }
@@ -181,7 +181,7 @@ std::vector<std::uint32_t> parts_of(const Givens& givens, const Decimated& resul
 
 /// Finds what `run` would object to, without a mesh.
 /// \throw RecipeError  no module, a constraint in first place, a driver that cannot run a module, neither
-///                     threshold nor target nor bound, a ratio outside of (0, 1), an angle outside of
+///                     threshold nor target nor bound, a ratio outside of (0, 1], an angle outside of
 ///                     [0, 180], pieces by error without a target.
 void check(const Recipe& recipe);
 

@@ -115,17 +115,6 @@ TEST_CASE("write_mesh says what a format does not hold") {
   CHECK(report("a.glb").left_out == Names{"a second set of texture coordinates"});
 }
 
-TEST_CASE("write_mesh says where coordinates are rounded") {
-  const Folder folder;
-  IndexedMesh mesh = square();
-  CHECK(write_mesh(folder / "a.stl", mesh).notes().empty());
-  mesh.points[0].x() = 0.1;
-  for (const char* file : {"a.stl", "a.glb"})
-    CHECK(write_mesh(folder / file, mesh).notes() == Names{"coordinates rounded to 32-bit floats"});
-  for (const char* file : {"a.obj", "a.off", "a.ply", "a.om"})
-    CHECK(write_mesh(folder / file, mesh).notes().empty());
-}
-
 TEST_CASE("write_mesh writes no value that is not finite, and no attribute that does not fit") {
   const Folder folder;
   Attribute normal = square_normals();

@@ -33,6 +33,17 @@ TEST_CASE("OBJ: corners are read in all four forms") {
   CHECK(file.attributes[1].values == std::vector<float>{0, 0, 0, 0, 0, 1});
 }
 
+TEST_CASE("OBJ: slashes of what is not there are passed over") {
+  const Folder folder;
+  const MeshFile file = folder.read(
+      "a.obj",
+      three + "f 1// 2// 3//\nf 1/ 2/ 3/\nf -3// -2/ -1//\nvt 0.5 0\nf 1/1/ 2/1/ 3/1/\nf 1//\\\n 2// 3//\n");
+  CHECK(file.mesh.triangles == Triangles(5, {0, 1, 2}));
+  CHECK(file.report.ignored.empty());
+  REQUIRE(file.attributes.size() == 1);
+  CHECK(file.attributes[0].corners[3] == IndexedMesh::Triangle{1, 1, 1});
+}
+
 TEST_CASE("OBJ: negative indices count back from the last vertex read") {
   const Folder folder;
   const MeshFile file = folder.read("a.obj", three + "f -3 -2 -1\nv 5 5 5\nf -1 -2/7 -3\n");
@@ -49,8 +60,8 @@ TEST_CASE("OBJ: a face may come before its vertices") {
 TEST_CASE("OBJ: polygons become fans, degenerate triangles go") {
   const Folder folder;
   const MeshFile file =
-      folder.read("a.obj", three + "v 1 1 0\nv 2 2 0\nf 1 2 3 4 5\nf 1 1 2\nf 1 2 3 1\n", Repair::none);
-  CHECK(file.mesh.triangles == Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 1, 2}});
+      folder.read("a.obj", three + "v 2 1 0\nv 1 2 0\nf 1 2 4 5 3\nf 1 1 2\nf 1 2 3 1\n", Repair::none);
+  CHECK(file.mesh.triangles == Triangles{{0, 1, 3}, {0, 3, 4}, {0, 4, 2}, {0, 1, 2}});
   CHECK(file.report.polygons == 2);
   CHECK(file.report.dropped_degenerate == 2);
   CHECK(file.report.notes() == Names{"2 faces with more than three corners split into triangles",
@@ -108,7 +119,7 @@ TEST_CASE("OBJ: errors name the line") {
   CHECK(error("f 1 2 3.5\n") == "a.obj:4: expected an integer, found '3.5'");
   CHECK(error("f 1 2 3/\n").empty());
   CHECK(error("f 1 2 3/a\n") == "a.obj:4: expected an integer, found 'a'");
-  CHECK(error("f 1 2 3//\n") == "a.obj:4: expected an integer, found ''");
+  CHECK(error("f 1 2 3//a\n") == "a.obj:4: expected an integer, found 'a'");
   CHECK(error("f 1 2 99999999999999999999\n") ==
         "a.obj:4: expected an integer, found '99999999999999999999'");
   CHECK(error("v 1 2\nv 0 0 0\n") == "a.obj:4: expected a number, found the end of the line");
@@ -118,7 +129,7 @@ TEST_CASE("OBJ: errors name the line") {
   CHECK(error("v 1 2 nan\n") == "a.obj:4: a coordinate is not finite");
   CHECK(error("v 1 2 -inf\n") == "a.obj:4: a coordinate is not finite");
   CHECK(error("v 1 2 3 4 5\n") == "a.obj:4: a vertex has 5 numbers");
-  CHECK(error("v 1 2 3 4 5 6 7 8\n") == "a.obj:4: a vertex has more than 7 numbers");
+  CHECK(error("v 1 2 3 4 5 6 7 8 9\n") == "a.obj:4: a vertex has more than 8 numbers");
   CHECK(error("vt\n") == "a.obj:4: expected a number, found the end of the line");
   CHECK(error("vn 0 0\n") == "a.obj:4: expected a number, found the end of the line");
   CHECK(error("vt 0 0\nf 1/1 2/2 3/1\n") ==

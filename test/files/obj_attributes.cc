@@ -67,6 +67,36 @@ TEST_CASE("OBJ: a cloud of points with normals") {
   CHECK(file.report.notes().empty());
 }
 
+TEST_CASE("OBJ: colours behind a weight") {
+  const Folder folder;
+  const auto colour = [&](const std::string& text) {
+    const MeshFile file = folder.read("a.obj", text);
+    REQUIRE(file.attributes.size() == 1);
+    return file.attributes[0];
+  };
+  const std::string weighted = "v 0 0 0 1 0.2 0 1\nv 1 0 0 1.0 0 0.4 1\n";
+  CHECK(colour(weighted).values == std::vector<float>{0.2F, 0, 1, 0, 0.4F, 1});
+  CHECK(colour(weighted).bytes);
+  CHECK(folder.read("a.obj", weighted).report.ignored == Names{"vertex weights"});
+  const Attribute five = colour("v 0 0 0 0.5 1 0 1 0.75\nv 1 0 0 2 1 0 0 0.25\n");
+  CHECK(five.components == 4);
+  CHECK(five.values == std::vector<float>{1, 0, 1, 0.75F, 1, 0, 0, 0.25F});
+  // Four numbers that begin with another than 1 are a colour with its opacity.
+  CHECK(colour("v 0 0 0 1 0 0 0.5\nv 1 0 0 0.5 0 0 0.5\n").components == 4);
+  // Ours would be taken for a weight, so it gets one.
+  Attribute red = square_colours(false, true);
+  for (std::size_t i = 0; i < red.values.size(); i += 4) red.values[i] = 1;
+  CHECK(same_attribute(folder.there_and_back("a.obj", square(), {red}).attributes[0], red, square()));
+}
+
+TEST_CASE("OBJ: colours that count to 255") {
+  const Folder folder;
+  const MeshFile file = folder.read("a.obj", "v 0 0 0 255 0 51\nv 1 0 0 1 2 3\n");
+  REQUIRE(file.attributes.size() == 1);
+  CHECK(file.attributes[0].bytes);
+  CHECK(file.attributes[0].values[2] == 0.2F);
+}
+
 TEST_CASE("OBJ: colours behind coordinates") {
   const Folder folder;
   const auto colour = [&](const std::string& text) {

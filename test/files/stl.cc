@@ -79,8 +79,9 @@ TEST_CASE("STL: a binary file that begins with 'solid' is read as binary") {
   CHECK(folder.read("a.stl", binary(one_triangle, "solid" + std::string(75, ' '))).report.format ==
         "STL, binary");
   // Cut off, it is still no text: no line of "expected 'facet'".
-  CHECK(folder.error("a.stl", binary(one_triangle, "solid by someone").substr(0, 130)) ==
-        "a.stl: the file is cut off: it has room for 0 of 1 triangles");
+  CHECK(
+      folder.error("a.stl", binary(one_triangle, "solid by someone").substr(0, 130)) ==
+      "a.stl: 1 triangles are declared, 0 are there: the file is cut off; --repair fix reads what is there");
 }
 
 TEST_CASE("STL: attributes and bytes behind the end are named") {
@@ -90,17 +91,61 @@ TEST_CASE("STL: attributes and bytes behind the end are named") {
         Names{"bytes after the last triangle"});
 }
 
+TEST_CASE("STL: a count that is wrong is refused, and read to the end of the file with a repair") {
+  const Folder folder;
+  const std::vector<float> two{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  std::string few = binary(two), none = binary(two), many = binary(two).substr(0, 84 + 50 + 20);
+  few.replace(80, 4, std::string("\1\0\0\0", 4));
+  none.replace(80, 4, std::string(4, '\0'));
+  CHECK(folder.error("a.stl", few) ==
+        "a.stl: 1 triangles are declared, 2 are there; --repair fix reads what is there");
+  const MeshFile file = folder.read("a.stl", few, Repair::fix);
+  CHECK(file.mesh.triangles == Triangles{{0, 1, 2}, {1, 3, 2}});
+  CHECK(file.report.wrong_count == "1 triangles are declared, 2 are there");
+  CHECK(folder.read("a.stl", none, Repair::fix).mesh.triangles.size() == 2);
+  const MeshFile cut = folder.read("a.stl", many, Repair::fix);
+  CHECK(cut.mesh.triangles == Triangles{{0, 1, 2}});
+  CHECK(cut.report.notes() == Names{"2 triangles are declared, 1 are there: the file is cut off",
+                                    "not read: bytes after the last triangle"});
+}
+
+TEST_CASE("STL: text that ends early is read to its last whole facet with a repair") {
+  const Folder folder;
+  const std::string whole = "solid a\n" + facet("0 0 0", "1 0 0", "0 1 0") + facet("1 0 0", "1 1 0", "0 1 0");
+  // Cut off behind the first facet, anywhere; what is whole stays.
+  const std::size_t first = whole.find("endfacet") + 9;
+  for (std::size_t length = first; length < whole.size() - 9; length += 7) {
+    CHECK(folder.error("a.stl", whole.substr(0, length)).find("--repair fix reads what is there") !=
+          std::string::npos);
+    const MeshFile file = folder.read("a.stl", whole.substr(0, length), Repair::fix);
+    CHECK(file.mesh.triangles == Triangles{{0, 1, 2}});
+    CHECK(file.mesh.points.size() == 3);
+    CHECK(file.report.wrong_count == "the file is cut off: read to its last whole facet");
+  }
+  CHECK(folder.read("a.stl", whole, Repair::fix).mesh.triangles.size() == 2);
+  // Nonsense in the middle is no early end.
+  CHECK(folder.error("a.stl", whole + "facets\n" + whole, Repair::fix) ==
+        "a.stl:16: expected 'facet', found 'facets'");
+}
+
 TEST_CASE("STL: damaged files are refused with a message") {
   const Folder folder;
   const auto error = [&](const std::string& text) { return folder.error("a.stl", text); };
   CHECK(error("hello") == "a.stl: the file is cut off: too short for an STL header");
-  CHECK(error(binary(one_triangle).substr(0, 133)) ==
-        "a.stl: the file is cut off: it has room for 0 of 1 triangles");
+  CHECK(
+      error(binary(one_triangle).substr(0, 133)) ==
+      "a.stl: 1 triangles are declared, 0 are there: the file is cut off; --repair fix reads what is there");
   std::string huge = binary(one_triangle);
   huge.replace(80, 4, "\xff\xff\xff\xff");
-  CHECK(error(huge) == "a.stl: the file is cut off: it has room for 1 of 4294967295 triangles");
+  CHECK(error(huge) ==
+        "a.stl: 4294967295 triangles are declared, 1 are there: the file is cut off; --repair fix reads what "
+        "is "
+        "there");
   CHECK(error(binary({0, 0, 0, 1, 0, 0, 0, 1, std::nanf("")})) == "a.stl: a coordinate is not finite");
-  CHECK(error("solid\n") == "a.stl:1: expected 'facet', found the end of the file");
+  CHECK(
+      error("solid\n") ==
+      "a.stl:1: expected 'facet', found the end of the file: the file is cut off; --repair fix reads what is "
+      "there");
   CHECK(error("solid\nfacet normal 0 0\nloop\n") == "a.stl:3: expected 'outer', found 'loop'");
   CHECK(error("solid\n" + facet("0 0 0", "1 0 0", "0 1")) ==
         "a.stl:6: expected a number, found the end of the line");

@@ -42,6 +42,26 @@ std::vector<Json> log_lines(const fs::path& out) {
 
 }  // namespace
 
+TEST_CASE("batch takes packed meshes, and tells as JSON what became of each") {
+  const Scans scans;
+  files::write_mesh(scans.path() / "e.ply.gz", meshes::torus(48, 28));
+  const auto done = scans.run({"--json", "-"});
+  CHECK(done.code == 1);
+  const Json json = Json::parse(done.out);
+  CHECK(json["statuses"] == Json{{"done", 5}, {"failed", 1}});
+  REQUIRE(json["meshes"].size() == 6);
+  for (const Json& mesh : json["meshes"]) {
+    const bool bad = mesh["in"].get<std::string>().find("bad.obj") != std::string::npos;
+    CHECK(mesh["status"] == (bad ? "failed" : "done"));
+    CHECK(mesh["message"].is_null() == !bad);
+    CHECK(mesh["faces_after"] == (bad ? 0 : 672));
+  }
+  CHECK(files::read_mesh(scans.out() / "e.ply.gz").report.format == "PLY, binary little endian, gzip");
+  CHECK(scans.run({"--format", "off", "--json", scans.folder / "all.json"}).code == 1);
+  CHECK(fs::exists(scans.out() / "e.off"));
+  CHECK(Json::parse(programs::contents(scans.folder / "all.json"))["meshes"].size() == 6);
+}
+
 TEST_CASE("batch simplifies all meshes of a folder, and a bad one does not stop it") {
   const Scans scans;
   const auto done = scans.run({"--jobs", "2"});

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "Process.hh"
@@ -54,6 +57,53 @@ TEST_CASE("simplify reads and writes every format") {
         CHECK(done.out.empty());
         CHECK(measure::facts(files::read_mesh(in.folder / to).mesh).closed());
       }
+}
+
+TEST_CASE("simplify --ratio 1 changes nothing but the format") {
+  const Input in;
+  const auto done = simplify({in.path, in.folder / "out.obj", "--ratio", "1"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out,
+             Contains("2688 faces of 2688 left") && Contains(" ms (reading ") && Contains(", writing "));
+  const files::MeshFile before = files::read_mesh(in.path), after = files::read_mesh(in.folder / "out.obj");
+  CHECK(after.mesh.triangles == before.mesh.triangles);
+  CHECK(after.mesh.points == before.mesh.points);
+  const auto more = simplify({in.path, in.folder / "out.obj", "--ratio", "1.01"});
+  CHECK(more.code == 2);
+  CHECK_THAT(more.err, Contains("the ratio must be above 0 and at most 1"));
+}
+
+TEST_CASE("simplify reads and writes packed files, also on standard input") {
+  const Input in;
+  CHECK(simplify({in.path, in.folder / "half.obj.gz", "--ratio", "0.5", "--quiet"}).code == 0);
+  const std::string command = "'" WHITTLE_PROGRAM "' simplify - '" + in.folder / "out.ply" +
+                              "' --ratio 0.5 --quiet <'" + in.folder / "half.obj.gz" + "'";
+  REQUIRE(std::system(command.c_str()) == 0);
+  CHECK(files::read_mesh(in.folder / "out.ply").mesh.triangles.size() == 672);
+}
+
+TEST_CASE("simplify refuses a target where there are no faces") {
+  const Input in;
+  std::ofstream(in.folder / "points.obj") << "v 0 0 0\nv 1 0 0\n";
+  const auto done = simplify({in.folder / "points.obj", in.folder / "out.ply", "--faces", "5"});
+  CHECK(done.code == 2);
+  CHECK_THAT(done.err, Contains("there are no faces, so no target can be reached"));
+  CHECK_FALSE(std::filesystem::exists(in.folder / "out.ply"));
+}
+
+TEST_CASE("a missed target names the weld that closes a torn mesh") {
+  const Input in;
+  // Two halves, each a little aside of the other, and all of the first one's boundary beside the second one's.
+  IndexedMesh torn = in.mesh;
+  const auto n = static_cast<std::uint32_t>(torn.points.size());
+  for (std::uint32_t v = 0; v < n; ++v)
+    torn.points.push_back(torn.points[v] + IndexedMesh::Point(0, 0, 1e-6));
+  for (std::size_t f = 0; f < torn.triangles.size(); f += 2)
+    for (std::uint32_t& corner : torn.triangles[f]) corner += n;
+  files::write_mesh(in.path, torn);
+  const auto done = simplify({in.path, in.folder / "out.ply", "--ratio", "0.1"});
+  CHECK(done.code == 1);
+  CHECK_THAT(done.err, Contains("--weld 0.0"));
 }
 
 TEST_CASE("simplify's JSON holds what was decided, to a file or to stdout") {
