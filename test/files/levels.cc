@@ -8,8 +8,9 @@ namespace {
 
 TEST_CASE("write_glb_levels: the first level is the scene, the others hang on it") {
   const Folder folder;
-  const std::vector<Level> levels{
-      {meshes::torus(24, 16), {}, 0}, {meshes::torus(12, 8), {}, 0.01}, {square(), {square_normals()}, 1}};
+  const std::vector<Level> levels{{meshes::torus(24, 16), {}, {}, 0},
+                                  {meshes::torus(12, 8), {}, {}, 0.01},
+                                  {square(), {square_normals()}, {}, 1}};
   const WriteReport report = write_glb_levels(folder / "a.glb", levels);
   CHECK(report.notes().empty());
 
@@ -32,10 +33,10 @@ TEST_CASE("write_glb_levels: the first level is the scene, the others hang on it
 
 TEST_CASE("write_glb_levels: no coverage where errors do not grow, no extension for one level") {
   const Folder folder;
-  write_glb_levels(folder / "a.glb", {{square(), {}, 0}, {square(), {}, 0}});
+  write_glb_levels(folder / "a.glb", {{square(), {}, {}, 0}, {square(), {}, {}, 0}});
   CHECK_FALSE(json_of(folder.get("a.glb"))["nodes"][0]["extras"].contains("MSFT_screencoverage"));
   CHECK(read_mesh(folder / "a.glb").report.ignored.front() == "1 coarser level of detail");
-  write_glb_levels(folder / "b.glb", {{square(), {}, 0}});
+  write_glb_levels(folder / "b.glb", {{square(), {}, {}, 0}});
   CHECK_FALSE(json_of(folder.get("b.glb")).contains("extensionsUsed"));
   CHECK(read_mesh(folder / "b.glb").report.notes().empty());
 }
@@ -46,10 +47,10 @@ TEST_CASE("write_glb_levels refuses what write_mesh would") {
     return folder.message([&] { write_glb_levels(folder / "a.glb", levels); });
   };
   CHECK(error({}) == "a.glb: not written: there is no level of detail");
-  CHECK(error({{square(), {}, NAN}}) == "a.glb: not written: an error that is not finite");
+  CHECK(error({{square(), {}, {}, NAN}}) == "a.glb: not written: an error that is not finite");
   IndexedMesh bad = square();
   bad.triangles.push_back({0, 1, 9});
-  CHECK(error({{square(), {}, 0}, {bad, {}, 1}}) ==
+  CHECK(error({{square(), {}, {}, 0}, {bad, {}, {}, 1}}) ==
         "a.glb: not written: a triangle names a vertex that is not there");
   CHECK(folder.entries() == 0);
 }
