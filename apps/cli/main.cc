@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   fill_standard_descriptors();
   signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of writing, after which no half of a file stays
   try {
-    CLI::App app("Simplifies triangle meshes (OBJ, PLY, OFF, STL, OM, GLB).", "whittle");
+    CLI::App app("Simplifies triangle meshes (OBJ, PLY, OFF, STL, OM, 3MF, GLB).", "whittle");
     app.require_subcommand(0, 1);
     app.set_version_flag("--version", whittle::version::text("whittle"));
     app.footer(

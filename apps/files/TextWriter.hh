@@ -44,13 +44,13 @@ class TextWriter {
     return *this;
   }
 
-  std::string take() { return std::move(text_); }
-
- private:
   TextWriter& coordinate(double value) {
     return single_precision_ ? number(static_cast<float>(value)) : number(value);
   }
 
+  std::string take() { return std::move(text_); }
+
+ private:
   template <typename Number>
   TextWriter& number(Number value) {
     char digits[32];

@@ -10,7 +10,7 @@
 
 namespace whittle::files {
 
-enum class Format { obj, off, ply, stl, om, glb, gltf };
+enum class Format { obj, off, ply, stl, om, glb, gltf, three_mf };
 
 /// The format that an extension names, in any case of letters, with its dot.
 /// \throw Fault  it names none
@@ -45,6 +45,7 @@ MeshFile read_off(std::string_view bytes, const ReadOptions& options, std::size_
 MeshFile read_ply(std::string_view bytes, const ReadOptions& options, std::size_t& line);
 MeshFile read_stl(std::string_view bytes, const ReadOptions& options, std::size_t& line);
 MeshFile read_om(std::string_view bytes, const ReadOptions& options);
+MeshFile read_three_mf(std::string_view bytes, const ReadOptions& options);
 /// The binary container, and JSON. \param path  of the file, in whose folder there may be data
 MeshFile read_glb(std::string_view bytes, const ReadOptions& options, const std::filesystem::path& path);
 MeshFile read_gltf(std::string_view bytes, const ReadOptions& options, const std::filesystem::path& path);
@@ -81,6 +82,8 @@ std::string ply_bytes(const IndexedMesh& mesh, const attributes::Attributes& att
                       const WriteOptions& options, WriteReport& report);
 std::string stl_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
                       const WriteOptions& options, WriteReport& report);
+std::string three_mf_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
+                           const WriteOptions& options, WriteReport& report);
 std::string om_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
                      const WriteOptions& options, WriteReport& report);
 

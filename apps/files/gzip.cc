@@ -43,9 +43,7 @@ Gunzip::~Gunzip() {
 void Gunzip::grow() {
   constexpr std::size_t first = 1 << 16;
   const std::size_t most = std::max(kAlwaysAllowed, kLargestRatio * packed_);
-  if (used_ >= most)
-    throw Fault("it unpacks to more than " + std::to_string(kLargestRatio) +
-                " times its size, as no mesh does; gunzip it first if you trust it");
+  check_unpacked(used_ + (used_ >= most ? 1 : 0), packed_);
   bytes_.resize(std::min(most, std::max(first, 2 * bytes_.size())));
 }
 
@@ -82,12 +80,13 @@ std::string Gunzip::take() {
   return std::move(bytes_);
 }
 
-std::string gzipped(const std::string& bytes) {
-  z_stream stream{};
-  constexpr int usual_memory = 8;
-  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzip, usual_memory, Z_DEFAULT_STRATEGY) !=
-      Z_OK)
-    throw std::bad_alloc();
+void check_unpacked(std::uint64_t unpacked, std::size_t packed) {
+  if (unpacked > kAlwaysAllowed && unpacked / kLargestRatio > packed)
+    throw Fault("it unpacks to more than " + std::to_string(kLargestRatio) +
+                " times its size, as no mesh does; unpack it first if you trust it");
+}
+
+std::string packed_by(z_stream& stream, const std::string& bytes) {
   std::string packed(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
   std::size_t read = 0, written = 0;
   int result = Z_OK;
@@ -104,6 +103,15 @@ std::string gzipped(const std::string& bytes) {
   if (result != Z_STREAM_END) throw Fault("not written: zlib cannot pack it");
   packed.resize(written);
   return packed;
+}
+
+std::string gzipped(const std::string& bytes) {
+  z_stream stream{};
+  constexpr int usual_memory = 8;
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzip, usual_memory, Z_DEFAULT_STRATEGY) !=
+      Z_OK)
+    throw std::bad_alloc();
+  return packed_by(stream, bytes);
 }
 
 }  // namespace whittle::files

@@ -5,6 +5,7 @@
 #include <zlib.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -44,5 +45,11 @@ class Gunzip {
 
 /// The same bytes give the same file. \throw Fault
 std::string gzipped(const std::string& bytes);
+
+/// What a stream that zlib has been told how to pack makes of the bytes; ends the stream. \throw Fault
+std::string packed_by(z_stream& stream, const std::string& bytes);
+
+/// \throw Fault  `unpacked` bytes are more than 64 MiB and 100 times `packed`
+void check_unpacked(std::uint64_t unpacked, std::size_t packed);
 
 }  // namespace whittle::files

@@ -95,6 +95,8 @@ MeshFile read_format(std::string_view bytes, Format format, const ReadOptions& o
       return read_om(bytes, options);
     case Format::glb:
       return read_glb(bytes, options, path);
+    case Format::three_mf:
+      return read_three_mf(bytes, options);
     case Format::gltf:
       break;
   }

@@ -5,6 +5,7 @@
 
 #include "files/Fault.hh"
 #include "files/TextReader.hh"
+#include "files/Zip.hh"
 #include "files/formats.hh"
 #include "files/gzip.hh"
 
@@ -16,9 +17,9 @@ struct ExtensionOf {
   Format format;
 };
 
-constexpr ExtensionOf extensions[] = {{".glb", Format::glb}, {".gltf", Format::gltf}, {".obj", Format::obj},
-                                      {".off", Format::off}, {".om", Format::om},     {".ply", Format::ply},
-                                      {".stl", Format::stl}};
+constexpr ExtensionOf extensions[] = {
+    {".3mf", Format::three_mf}, {".glb", Format::glb}, {".gltf", Format::gltf}, {".obj", Format::obj},
+    {".off", Format::off},      {".om", Format::om},   {".ply", Format::ply},   {".stl", Format::stl}};
 
 /// Of all formats only glTF's JSON begins so.
 bool is_json(std::string_view bytes) {
@@ -55,7 +56,7 @@ Format format_of_extension(const std::string& extension) {
   for (const ExtensionOf& known : extensions)
     if (same_word(known.extension, extension)) return known.format;
   throw Fault((extension.empty() ? "no extension" : "unknown format " + in_quotes(extension)) +
-              "; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
+              "; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
 }
 
 bool format_of_content(std::string_view bytes, Format& format) {
@@ -67,6 +68,8 @@ bool format_of_content(std::string_view bytes, Format& format) {
     format = Format::glb;
   } else if (is_om(bytes)) {
     format = Format::om;
+  } else if (is_zip(bytes)) {
+    format = Format::three_mf;
   } else if (is_json(bytes)) {
     format = Format::gltf;
   } else {

@@ -114,7 +114,7 @@ std::string where_materials_are(const std::vector<std::string>& libraries,
 /// Whether a format can hold an attribute.
 bool can_hold(Format format, const Attribute& attribute) {
   if (attribute.kind == Kind::vector || attribute.kind == Kind::skin) return false;
-  if (format == Format::stl) return false;
+  if (format == Format::stl || format == Format::three_mf) return false;
   if (format == Format::om) return attribute.per_vertex() || attribute.kind == Kind::texture;
   return attribute.kind != Kind::scalar || format == Format::ply || is_gltf(format);
 }
@@ -184,6 +184,8 @@ std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& at
       return ply_bytes(mesh, attributes, options, report);
     case Format::stl:
       return stl_bytes(mesh, attributes, options, report);
+    case Format::three_mf:
+      return three_mf_bytes(mesh, attributes, options, report);
     case Format::om:
       return om_bytes(mesh, attributes, options, report);
     default:

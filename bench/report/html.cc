@@ -40,9 +40,9 @@ std::string badge(const std::string& verdict) {
   return std::string("<span class=\"badge") + style + "\">" + escape(verdict) + "</span>";
 }
 
-class Writer {
+class HtmlWriter {
  public:
-  Writer(std::ostream& out, const std::filesystem::path& folder) : out_(out), folder_(folder) {}
+  HtmlWriter(std::ostream& out, const std::filesystem::path& folder) : out_(out), folder_(folder) {}
 
   void operator()(const Paragraph& paragraph) { out_ << "<p>" << marked(paragraph.text) << "</p>\n"; }
   void operator()(const Callout& callout) {
@@ -120,7 +120,7 @@ std::string html_text(const Document& document, const std::filesystem::path& fol
   for (const Section& section : document.sections)
     out << "<a href=\"#" << section.id << "\">" << escape(section.title) << "</a>";
   out << "</nav></header>\n<main>\n";
-  Writer writer(out, folder);
+  HtmlWriter writer(out, folder);
   for (const Section& section : document.sections) {
     out << "<section id=\"" << section.id << "\"><h2>" << escape(section.title) << "</h2>\n";
     for (const Block& block : section.blocks) std::visit(writer, block);

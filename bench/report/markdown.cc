@@ -19,9 +19,9 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
-class Writer {
+class MarkdownWriter {
  public:
-  explicit Writer(std::ostream& out) : out_(out) {}
+  explicit MarkdownWriter(std::ostream& out) : out_(out) {}
 
   void operator()(const Paragraph& paragraph) { out_ << escaped(paragraph.text) << "\n\n"; }
   void operator()(const Callout& callout) { out_ << "> **Note:** " << escaped(callout.text) << "\n\n"; }
@@ -76,7 +76,7 @@ class Writer {
 std::string markdown_text(const Document& document) {
   std::ostringstream out;
   out << "# " << escaped(document.title) << "\n\n" << escaped(document.summary) << "\n\n";
-  Writer writer(out);
+  MarkdownWriter writer(out);
   for (const Section& section : document.sections) {
     out << "## " << escaped(section.title) << "\n\n";
     for (const Block& block : section.blocks) std::visit(writer, block);

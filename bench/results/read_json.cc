@@ -7,7 +7,7 @@
 namespace whittle::bench {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// An object of the file, and where it stands, for messages.
 class Field {

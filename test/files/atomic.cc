@@ -203,9 +203,9 @@ TEST_CASE("check_writable and check_creatable leave nothing behind") {
   CHECK(folder.get("old.ply") == "old");
   CHECK(folder.entries() == 1);
   CHECK(folder.message([&] { check_writable(folder / "new.json"); }) ==
-        "new.json: unknown format '.json'; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
+        "new.json: unknown format '.json'; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
   CHECK(folder.message([&] { check_writable(folder / "new"); }) ==
-        "new: no extension; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
+        "new: no extension; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
 }
 
 TEST_CASE("a path without a folder means the current one") {

@@ -191,9 +191,9 @@ TEST_CASE("read_mesh: files that cannot be opened or told") {
   CHECK(error("none.obj") == "none.obj: No such file or directory");
   CHECK(folder.error("empty.obj", "") == "empty.obj: the file is empty");
   CHECK(folder.error("a.xyz", "v 0 0 0\n") ==
-        "a.xyz: unknown format '.xyz'; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
+        "a.xyz: unknown format '.xyz'; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
   CHECK(folder.error("a", "v 0 0 0\n") ==
-        "a: no extension; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
+        "a: no extension; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
   std::filesystem::create_directory(folder / "d.obj");
   CHECK(error("d.obj") == "d.obj: Is a directory");
   CHECK(error("a/b.obj") == "a/b.obj: Not a directory");

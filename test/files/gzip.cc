@@ -66,7 +66,7 @@ TEST_CASE("gzip: a bomb is refused") {
   const std::string packed = gzipped(std::string(std::size_t{80} << 20, '\n'));
   REQUIRE(packed.size() < 100000);
   CHECK(folder.error("a.obj.gz", packed) ==
-        "a.obj.gz: it unpacks to more than 100 times its size, as no mesh does; gunzip it first if you trust "
+        "a.obj.gz: it unpacks to more than 100 times its size, as no mesh does; unpack it first if you trust "
         "it");
 }
 

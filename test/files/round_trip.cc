@@ -78,8 +78,8 @@ TEST_CASE("write_mesh refuses what no reader would take back") {
     return folder.message([&] { write_mesh(folder / name, mesh, options); });
   };
   CHECK(error("a.xyz") ==
-        "a.xyz: unknown format '.xyz'; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
-  CHECK(error("a") == "a: no extension; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
+        "a.xyz: unknown format '.xyz'; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
+  CHECK(error("a") == "a: no extension; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
   mesh.points[1].y() = 1e39;
   CHECK(error("a.stl") == "a.stl: not written: a coordinate is too large for a 32-bit float");
   CHECK(error("a.obj", {false, true}) == "a.obj: not written: a coordinate is too large for a 32-bit float");

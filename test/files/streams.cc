@@ -115,7 +115,7 @@ TEST_CASE("write_mesh: a format that is named wins over the extension") {
         "standard output: the format of standard output must be named");
   CHECK(folder.message([] {
     check_writable("-", {false, false, "xyz"});
-  }) == "standard output: unknown format '.xyz'; known are .glb, .gltf, .obj, .off, .om, .ply and .stl");
+  }) == "standard output: unknown format '.xyz'; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
   check_writable("-", {false, false, "glb"});
 }
 

@@ -2,7 +2,7 @@
 # Builds the fuzz targets with clang and runs each for some time, one after the other.
 #   test/fuzz/run.sh [SECONDS] [TARGET ...]
 # SECONDS  for each target, by the clock; 60 without. The table says how much of that the processor was at it
-# TARGET   a reader, obj off ply stl om glb gltf; soup, all planners and executors on any triangles; seams, modules that move
+# TARGET   a reader, obj off ply stl om glb gltf three_mf; gzip, what unpacks it; polygons, what cuts them; soup, all planners and executors on any triangles; seams, modules that move
 #          seams on sound meshes with any charts; all without
 # What the runs find interesting stays in build/fuzz/corpus, and they begin with it and with test/fuzz/corpus.
 # An input that fails is left in build/fuzz/failures, and the exit status is 1.
@@ -12,7 +12,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 seconds=${1:-60}
 shift || true
 formats=("$@")
-((${#formats[@]})) || formats=(obj off ply stl om glb gltf soup seams)
+((${#formats[@]})) || formats=(obj off ply stl om glb gltf three_mf gzip polygons soup seams)
 
 build=build/fuzz
 mkdir -p "$build"
@@ -24,7 +24,7 @@ cmake --build "$build" --target "${formats[@]/#/fuzz_}"
 failed=0
 mkdir -p "$build/failures"
 TIMEFORMAT='%U %S'
-printf '%-6s %8s %12s %8s %10s %8s\n' target 'CPU s' executions corpus coverage result
+printf '%-8s %8s %12s %8s %10s %8s\n' target 'CPU s' executions corpus coverage result
 for format in "${formats[@]}"; do
   corpus=$build/corpus/$format
   log=$build/$format.log
@@ -43,7 +43,7 @@ for format in "${formats[@]}"; do
   cpu=$(awk '{print int($1 + $2)}' "$build/time")
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   coverage=$(sed -n 's/.* cov: \([0-9]*\).*/\1/p' "$log" | tail -n 1)
-  printf '%-6s %8s %12s %8s %10s %8s\n' "$format" "$cpu" "${executions:-?}" "$(find "$corpus" -type f | wc -l)" \
+  printf '%-8s %8s %12s %8s %10s %8s\n' "$format" "$cpu" "${executions:-?}" "$(find "$corpus" -type f | wc -l)" \
     "${coverage:-?}" "$result"
 done
 ((failed == 0)) || echo "test/fuzz/run.sh: FAILED: see $build/*.log and $build/failures" >&2

@@ -4,9 +4,13 @@
 #include "model/RecipeText.hh"
 
 namespace whittle::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 nlohmann::ordered_json numbers(const Session& session) {
-  using Json = nlohmann::ordered_json;
   Json root;
   root["command"] = "view";
   root["recipe"] = options_text(session.recipe());

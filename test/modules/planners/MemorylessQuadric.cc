@@ -118,7 +118,7 @@ TEST_CASE("mq plans the same on any number of threads, also where the mesh is cu
     std::vector<std::size_t> threads;
   };
   for (const auto& [torus, target, threads] :
-       {Case{meshes::torus(180, 100), 18000, {2, 7}}, Case{meshes::torus(300, 180), 20000, {3}}}) {
+       {Case{meshes::torus(180, 100), 18000, {2, 7}}, Case{meshes::torus(210, 160), 12000, {3}}}) {
     const IndexedMesh mesh = meshes::riddled(meshes::shaken(torus, 0.0005, 1), 40, 3);
     REQUIRE(mesh.points.size() > 2 * 8192);
     BulkOptions options;
