@@ -208,7 +208,8 @@ Command add_batch(CLI::App& app) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
       ->type_name("N");
   command
-      ->add_option("--format", options->format, "Write obj, ply, off, stl, om, glb or 3mf; default: what each was")
+      ->add_option("--format", options->format,
+                   "Write obj, ply, off, stl, om, glb, gltf or 3mf; default: what each was")
       ->check(CLI::IsMember({"obj", "ply", "off", "stl", "om", "glb", "3mf"}));
   command->add_option("--time-limit", options->time_limit, "Give up on a mesh after so long")
       ->check(CLI::Range(0.001, 1e9))

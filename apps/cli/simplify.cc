@@ -328,7 +328,8 @@ Command add_simplify(CLI::App& app) {
       ->required();
   add_recipe_options(*command, *options, true);
   command
-      ->add_option("--format", options->format, "Write obj, ply, off, stl, om, glb or 3mf, whatever OUT is called")
+      ->add_option("--format", options->format,
+                   "Write obj, ply, off, stl, om, glb, gltf or 3mf, whatever OUT is called")
       ->type_name("NAME");
   command->add_option("--json", options->json, "Write what was done as JSON to a file, or to stdout for -");
   command->add_option(
