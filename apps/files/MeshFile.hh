@@ -1,5 +1,5 @@
 /// \file
-/// Reading and writing meshes with their attributes: OBJ, PLY, OFF, STL, OpenMesh's OM and glTF 2.0.
+/// Reading and writing meshes with their attributes: OBJ, PLY, OFF, STL, OpenMesh's OM, 3MF and glTF 2.0.
 /// What each format holds and every rule of reading and repair: docs/files.md.
 ///
 /// OpenMesh's readers are not used: they crash or hang on damaged files. They read the whole file into

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -13,7 +12,6 @@
 #include "whittle/mq/Mesh.hh"
 #include "whittle/mq/SymmetricMatrix.hh"
 #include "whittle/mq/Worker.hh"
-#include "whittle/surface/constants.hh"
 
 namespace whittle::mq {
 
@@ -60,48 +58,6 @@ EIGEN_ALWAYS_INLINE FourVectors areas_at(const Mesh& mesh, const std::array<std:
                    mesh.areas[v[3]].sum.data()});
 }
 
-/// Of edges between an inner vertex and one on a seam, moves the placement, which is at the seam, up or down to where
-/// it is closest to the planes: along the vertex's normal, as it may not leave the seam.
-/// \param sum     of the quadrics at both ends
-/// \param pull_b  the quadric at the end times the edge
-inline void raise_on_seams(const Mesh& mesh, const FourEdges& edges, const FourVectors& e,
-                           const FourMatrices& at_a, const FourMatrices& sum, const FourVectors& pull_b,
-                           Placements& placements) {
-  const auto is_raised = [&](std::uint32_t v, std::uint32_t inner) {
-    return mesh.seams[v] > 0 && mesh.seams[inner] == 0 && mesh.holds[v] + mesh.holds[inner] == kFree &&
-           !mesh.table.is_open(v);
-  };
-  std::array<bool, 4> rises = {};
-  Four is_end(0.0f);
-  for (std::size_t i = 0; i < 4; ++i) {
-    rises[i] = is_raised(edges.start[i], edges.end[i]);
-    if (rises[i] || !is_raised(edges.end[i], edges.start[i])) continue;
-    rises[i] = true;
-    is_end[static_cast<Eigen::Index>(i)] = 1;
-  }
-  if (!(rises[0] || rises[1] || rises[2] || rises[3])) return;
-
-  const Four start = 1 - is_end, share = kVolumeWeight / sum.trace().max(kLeastLength);
-  const FourVectors area_a = areas_at(mesh, edges.start), area_b = areas_at(mesh, edges.end),
-                    upright = start * area_a + is_end * area_b;
-  const FourVectors normal = reciprocal_lengths(upright.squaredNorm()) * upright;
-  const Four pull = start * normal.dot(pull_b) - is_end * normal.dot(at_a * e);
-  const Four swept = normal.dot(area_a + area_b), kept = start * area_b.dot(e) - is_end * area_a.dot(e);
-  const Four stiff = normal.dot(sum * normal),
-             most = static_cast<float>(detail::kSeamRise) * square_roots(e.squaredNorm());
-  const Four height = ((pull + share * swept * kept) / (stiff + share * swept * swept).max(kLeastLength))
-                          .max(-most)
-                          .min(most);
-  const Four cost = height * (height * stiff - 2 * pull);
-  const auto heights = apart(height * normal);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const float change = cost[static_cast<Eigen::Index>(i)];
-    if (!rises[i] || !std::isfinite(change)) continue;
-    placements[i].offset += heights[i];
-    placements[i].cost = std::max(0.0f, placements[i].cost + change);
-  }
-}
-
 /// Minimises the sum of the squared distances to both ends' planes, u Ha u + (u - e) Hb (u - e), with a
 /// slight pull to the middle that decides where the planes leave a direction open. With it counts the square of the change
 /// of the enclosed volume, g u - gb e by the areas g of both ends and gb of the second. Along a thin tip the planes say
@@ -136,7 +92,6 @@ inline Placements best_places(const Mesh& mesh, const FourEdges& edges, const Fo
           mesh.vertices[edges.end[i]].position - mesh.vertices[edges.start[i]].position, one_of(sum, k));
     }
   if (!mesh.all_free) place_at_held_ends(mesh, edges, e, at_a, pull_b, placements);
-  if (mesh.has_seams) raise_on_seams(mesh, edges, e, at_a, sum, pull_b, placements);
   if (!mesh.weights.empty())
     for (std::size_t i = 0; i < 4; ++i)
       placements[i].cost *= std::max(mesh.weights[edges.start[i]], mesh.weights[edges.end[i]]);

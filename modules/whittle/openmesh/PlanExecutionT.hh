@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "whittle/plan/CollapsePlan.hh"
-#include "whittle/surface/constants.hh"
 
 namespace whittle::detail {
 
@@ -92,8 +91,8 @@ bool PlanExecutionT<Mesh>::settle(Mesh& mesh, std::size_t rank, bool is_held) {
     after = place_of_part<typename Mesh::Scalar>(before, point(mesh, v0), collapse.target, merged);
   const bool is_locked = mesh.has_vertex_status() && (mesh.status(v1).locked() || mesh.status(v1).feature());
   if (after == before || is_locked) return false;  // it may have been locked since the plan was made
-  constexpr auto kMost = static_cast<typename Mesh::Scalar>(1.01 * kSeamRise);  // the planner rounds, too
-  if (is_held && (after - before).norm() > kMost * (point(mesh, v0) - before).norm()) return false;
+  constexpr auto kRounding = static_cast<typename Mesh::Scalar>(0.1);  // of the edge
+  if (is_held && (after - before).norm() > kRounding * (point(mesh, v0) - before).norm()) return false;
   auto p = mesh.point(v1);
   for (std::uint32_t i = 0; i < 3; ++i) p[i] = after[i];
   mesh.set_point(v1, p);

@@ -182,39 +182,6 @@ TEST_CASE("mq: a vertex inside a chart merges into one on the seam, which stays"
   }
 }
 
-TEST_CASE(
-    "mq: a vertex on a seam rises to the planes around it when an inner one merges into it, up to a tenth of "
-    "the edge") {
-  const IndexedMesh grid = meshes::flat_grid(7);
-  mq::Mesh mesh = built(grid, in_stripes(grid, {3}));
-  const std::uint32_t seam = vertex(mesh, 24), inner = vertex(mesh, 23);
-  const float length = mesh.edge(corner(mesh, 24, 23)).norm();
-  // At the inner vertex a plane that rises by `slope` towards the seam, at the seam one that is level.
-  const auto set_planes = [&](float slope, float level) {
-    mesh.quadrics[inner] = mq::SymmetricMatrix::outer(mq::Vec(-slope, 0, 1), 1);
-    mesh.quadrics[seam] = mq::SymmetricMatrix::outer(mq::Vec::UnitZ(), level);
-    mesh.areas[inner].sum = mq::Vec::Zero();
-    mesh.areas[seam].sum = mq::Vec(0, 0, 1e-6f);  // upright, and the volume says nothing
-  };
-  const auto check = [&](float height, float cost) {
-    const mq::Placement out = placed(mesh, corner(mesh, 24, 23)), in = placed(mesh, corner(mesh, 23, 24));
-    CHECK((out.offset / length - mq::Vec(0, 0, height)).norm() < 1e-5f);
-    CHECK((in.offset / length - mq::Vec(1, 0, height)).norm() < 1e-5f);
-    for (const float found : {out.cost, in.cost})
-      CHECK(found / (length * length) == Approx(cost).margin(1e-5));
-  };
-  set_planes(0.05f, 0);
-  check(0.05f, 0);
-  set_planes(-0.05f, 0);
-  check(-0.05f, 0);
-  set_planes(0.1f, 1);
-  check(0.05f, 2 * 0.05f * 0.05f);
-  set_planes(1, 0);
-  check(0.1f, 0.9f * 0.9f);
-  mesh.holds[seam] = mq::kFixed;
-  check(0, 1);
-}
-
 TEST_CASE("mq: a seam drags no chart of one face along unless it may, but one of two faces") {
   const IndexedMesh grid = meshes::flat_grid(7);
   const auto verdict = [&](bool is_whole_square, float share) {
