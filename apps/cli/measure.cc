@@ -7,6 +7,8 @@
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
+#include "measure/certify.hh"
+#include "recipe/Recipe.hh"
 #include "text/format.hh"
 #include "whittle/surface/errors.hh"
 
@@ -39,7 +41,15 @@ std::string line(const attributes::TextureError& e, const std::string& texels) {
                       figure(e.rms).c_str(), figure(e.max).c_str(), texels.c_str(), e.charts_left, e.charts);
 }
 
-std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, const measure::Distance& d) {
+std::string line(const measure::CertifiedDistance& d, double diagonal) {
+  const auto row = [&](const char* name, double x) {
+    return text::format("%-22s %14s %14s\n", name, figure(x).c_str(), figure(100 * x / diagonal).c_str());
+  };
+  return row("max, proved: at least", d.lower) + row("and at most", d.upper);
+}
+
+std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, const measure::Distance& d,
+                  const std::optional<measure::CertifiedDistance>& certified) {
   std::string out = text::format("%-22s %14s %14s\n", "", "original", "simplified");
   const auto count = [&](const char* name, std::size_t x, std::size_t y) {
     out += text::format("%-22s %14zu %14zu\n", name, x, y);
@@ -65,6 +75,7 @@ std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, cons
   distance("RMS", d.two_sided.rms);
   distance("mean", d.two_sided.mean);
   distance("max", d.two_sided.max);
+  if (certified) out += line(*certified, d.diagonal);
   out += text::format("%-22s %14zu   turned by more than 90 degrees against the nearest original face\n",
                       "flipped faces", d.flipped_faces);
   return out;
@@ -76,6 +87,7 @@ Command add_measure(CLI::App& app) {
   struct Options {
     std::string original, simplified, json;
     std::size_t samples = measure::DistanceOptions().samples;
+    std::string certify;
     std::optional<double> texels;
     bool quiet = false;
   };
@@ -88,18 +100,29 @@ Command add_measure(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option(
+          "--certify", options->certify,
+          "Prove also bounds on the largest distance over all points of both surfaces, that differ by at "
+          "most "
+          "this; in model units, in mean edges of the original (0.1e) or in percent of its diagonal (0.01%)")
+      ->type_name("LENGTH");
+  command
+      ->add_option(
           "--texels", options->texels,
           "Size of the texture that its figures are in. Default: that of the original's image, as simplify "
           "has it, else 1024")
       ->check(CLI::Range(1.0, 1e6));
   command->add_option("--json", options->json, "Write the figures as JSON to a file, or to stdout for -");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
-  command->footer("Example:\n  whittle measure bunny.ply small.ply");
+  command->footer(
+      "Examples:\n  whittle measure bunny.ply small.ply\n  whittle measure bunny.ply small.ply --certify "
+      "0.01%");
   return [options] {
     files::Outputs outputs;
     outputs.reads("ORIGINAL", options->original);
     outputs.reads("SIMPLIFIED", options->simplified);
     outputs.add("--json", options->json);
+    std::optional<recipe::Length> within;
+    if (!options->certify.empty()) within = recipe::parse_length(options->certify);
     const files::MeshFile original = files::read_mesh(options->original);
     const files::MeshFile simplified = files::read_mesh(options->simplified);
     if (!options->quiet) {
@@ -109,6 +132,10 @@ Command add_measure(CLI::App& app) {
     measure::DistanceOptions sampling;
     sampling.samples = options->samples;
     const measure::Distance distance = measure::distance(original.mesh, simplified.mesh, sampling);
+    std::optional<measure::CertifiedDistance> certified;
+    if (within)
+      certified =
+          measure::certify(original.mesh, simplified.mesh, within->in(recipe::measure_scale(original.mesh)));
     const measure::MeshFacts before = measure::facts(original.mesh), after = measure::facts(simplified.mesh);
     attributes::TextureErrorOptions on_texture;
     on_texture.samples = options->samples;
@@ -119,15 +146,17 @@ Command add_measure(CLI::App& app) {
     const auto texture = slid(original, simplified, on_texture);
     Json of_texture = texture ? to_json(*texture, on_texture.texels) : Json(nullptr);
     if (texture) of_texture["image"] = image;
+    Json of_distance = to_json(distance);
+    of_distance["certified"] = certified ? to_json(*certified, distance.diagonal) : Json(nullptr);
     outputs.write("--json",
                   json_text({{"command", "measure"},
                              {"original", {{"file", options->original}, {"mesh", to_json(before)}}},
                              {"simplified", {{"file", options->simplified}, {"mesh", to_json(after)}}},
-                             {"distance", to_json(distance)},
+                             {"distance", of_distance},
                              {"texture", of_texture}}));
     const std::string texels = options->texels ? "texels of " + figure(*options->texels) : texels_text(image);
     if (!options->quiet && options->json != "-")
-      print_text(table(before, after, distance) + (texture ? line(*texture, texels) : ""));
+      print_text(table(before, after, distance, certified) + (texture ? line(*texture, texels) : ""));
     outputs.commit();
     return 0;
   };

@@ -52,6 +52,16 @@ Json to_json(const measure::Distance& d) {
           {"flipped_faces_against_nearest", d.flipped_faces}};
 }
 
+Json to_json(const measure::CertifiedDistance& d, double diagonal) {
+  return {{"lower_units", d.lower},
+          {"upper_units", d.upper},
+          {"lower_percent_of_diagonal", 100 * d.lower / diagonal},
+          {"upper_percent_of_diagonal", 100 * d.upper / diagonal},
+          {"farthest_units", point(d.farthest)},
+          {"farthest_on", d.on_original ? "original" : "simplified"},
+          {"pieces", d.pieces}};
+}
+
 Json to_json(const attributes::TextureError& e, double texels) {
   return {{"rms_texels", e.rms},  {"max_texels", e.max}, {"texels_across", texels},
           {"samples", e.samples}, {"charts", e.charts},  {"charts_left", e.charts_left}};

@@ -8,6 +8,7 @@
 #include "files/MeshFile.hh"
 #include "measure/Distance.hh"
 #include "measure/MeshFacts.hh"
+#include "measure/certify.hh"
 #include "recipe/Recipe.hh"
 
 namespace whittle::figures {
@@ -16,6 +17,7 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const measure::MeshFacts& facts);
 Json to_json(const measure::Distance& distance);
+Json to_json(const measure::CertifiedDistance& distance, double diagonal);
 Json to_json(const attributes::TextureError& error, double texels);
 Json to_json(const recipe::StageResult& stage);
 Json to_json(const files::ReadReport& report);

@@ -91,7 +91,8 @@ void ClosestFace::build_tree(unsigned threads, const std::function<bool()>& go_o
     high = high.cwiseMax(surface.point(vertex));
   }
   centre_ = low + 0.5 * (high - low);
-  scale_ = 1 / (high - low).maxCoeff();
+  const double extent = (high - low).maxCoeff();
+  scale_ = extent > 0 ? 1 / extent : 1;  // where all faces lie in one point
 
   device_.reset(rtcNewDevice(("threads=" + std::to_string(threads)).c_str()));
   if (!device_) throw std::runtime_error("Embree cannot start");
@@ -199,8 +200,12 @@ void ClosestFace::search(const Eigen::Vector3d& point, double distance, Visit vi
 }
 
 ClosestFace::Answer ClosestFace::closest(const Eigen::Vector3d& point) const {
-  Answer best{kInfinity, 0};
-  double distance = kInfinity;
+  return closest(point, {kInfinity, 0});
+}
+
+ClosestFace::Answer ClosestFace::closest(const Eigen::Vector3d& point, const Answer& known) const {
+  Answer best = known;
+  double distance = std::sqrt(known.squared_distance);
   search(point, distance, [&](std::size_t face, double squared) {
     if (squared < best.squared_distance) distance = std::sqrt(squared);
     if (squared < best.squared_distance || (squared == best.squared_distance && face < best.face)) {

@@ -37,6 +37,8 @@ class ClosestFace {
     std::size_t face;  ///< an index into the surface; of equally close faces the first
   };
   Answer closest(const Eigen::Vector3d& point) const;
+  /// The same, and faster, if the distance from a face is known already.
+  Answer closest(const Eigen::Vector3d& point, const Answer& known) const;
 
   /// All faces within a distance of a point, in ascending order.
   std::vector<std::size_t> within(const Eigen::Vector3d& point, double distance) const;

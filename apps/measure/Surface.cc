@@ -7,7 +7,7 @@
 
 namespace whittle::measure {
 
-Surface::Surface(const IndexedMesh& mesh) : mesh_(mesh) {
+Surface::Surface(const IndexedMesh& mesh, Part part) : mesh_(mesh) {
   std::vector<bool> used(mesh.points.size(), false);
   double area = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -16,12 +16,13 @@ Surface::Surface(const IndexedMesh& mesh) : mesh_(mesh) {
       if (!mesh.points[vertex].allFinite()) throw InvalidMesh("a coordinate is not finite");
     }
     const Corners face = corners(mesh, triangle);
-    if (face.degenerate()) continue;
+    if (part == Part::with_area && face.degenerate()) continue;
     faces_.push_back(static_cast<std::uint32_t>(i));
     area_up_to_.push_back(area += face.area());
     for (const std::uint32_t vertex : triangle) used[vertex] = true;
   }
-  if (faces_.empty()) throw InvalidMesh("the mesh has no face of positive area");
+  if (faces_.empty())
+    throw InvalidMesh(part == Part::all ? "the mesh has no face" : "the mesh has no face of positive area");
   for (std::size_t vertex = 0; vertex < used.size(); ++vertex) {
     if (used[vertex]) vertices_.push_back(static_cast<std::uint32_t>(vertex));
   }

@@ -16,9 +16,11 @@ namespace whittle::measure {
 /// the mesh, which must outlive it.
 class Surface {
  public:
+  enum class Part { with_area, all };  ///< all: degenerate faces, too
+
   /// \throw InvalidMesh  no face is left, or a coordinate of a face is not finite.
-  explicit Surface(const IndexedMesh& mesh);
-  explicit Surface(IndexedMesh&& mesh) = delete;
+  explicit Surface(const IndexedMesh& mesh, Part part = Part::with_area);
+  explicit Surface(IndexedMesh&& mesh, Part part = Part::with_area) = delete;
 
   std::size_t size() const { return faces_.size(); }
   Corners face(std::size_t i) const { return corners(mesh_, mesh_.triangles[faces_[i]]); }

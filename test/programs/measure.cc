@@ -32,6 +32,44 @@ TEST_CASE("measure prints the distance of two parallel squares") {
   CHECK_THAT(table.out, Contains("17.6777"));
 }
 
+TEST_CASE("measure certifies the distance over all points") {
+  const programs::Folder folder;
+  // Samples do not meet the needle.
+  IndexedMesh low = meshes::flat_grid(3), high = low;
+  const auto first = static_cast<std::uint32_t>(high.points.size());
+  for (const Eigen::Vector3d& p :
+       {Eigen::Vector3d(0.3, 0.4, 0), Eigen::Vector3d(0.3, 0.4, 0.25), Eigen::Vector3d(0.3001, 0.4, 0.125)})
+    high.points.push_back(p);
+  high.triangles.push_back({first, first + 1, first + 2});
+  files::write_mesh(folder / "low.obj", low);
+  files::write_mesh(folder / "high.obj", high);
+  const std::vector<std::string> command{"measure", folder / "low.obj", folder / "high.obj", "--certify",
+                                         "0.1%"};
+  auto with_json = command;
+  with_json.insert(with_json.end(), {"--json", "-"});
+  const auto done = programs::run(WHITTLE_PROGRAM, with_json);
+  REQUIRE(done.code == 0);
+  const Json certified = Json::parse(done.out)["distance"]["certified"];
+  const double lower = certified["lower_units"], upper = certified["upper_units"];
+  CHECK(lower <= 0.25);
+  CHECK(upper >= 0.25);
+  CHECK(upper - lower <= 0.001 * std::sqrt(2.0));
+  CHECK(certified["farthest_on"] == "simplified");
+  CHECK(certified["farthest_units"][2].get<double>() == Approx(0.25).margin(0.002));
+  CHECK_THAT(programs::run(WHITTLE_PROGRAM, command).out, Contains("max, proved: at least"));
+
+  const auto plain =
+      programs::run(WHITTLE_PROGRAM, {"measure", folder / "low.obj", folder / "high.obj", "--json", "-"});
+  CHECK(Json::parse(plain.out)["distance"]["certified"].is_null());
+  for (const std::string wrong : {"0", "-1", "1x", "1e-20"}) {
+    const auto refused = programs::run(
+        WHITTLE_PROGRAM, {"measure", folder / "low.obj", folder / "high.obj", "--certify", wrong});
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err,
+               Contains("whittle: ") && Contains(wrong == "1x" || wrong == "-1" ? wrong : "tolerance"));
+  }
+}
+
 TEST_CASE("measure prints how far a texture has slid") {
   const programs::Folder folder;
   const IndexedMesh mesh = meshes::flat_grid(2);

@@ -58,8 +58,9 @@ auto at_closest_point(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Re
   const Vec bp = p - b;
   const Real ab_b = ab.dot(bp), ac_b = ac.dot(bp);
   if (ab_b >= 0 && ac_b <= ab_b) return visit(b);
-  const Real of_c = ab_a * ac_b - ab_b * ac_a;  // barycentric, but for a common factor
-  if (of_c <= 0 && ab_a >= 0 && ab_b <= 0) return visit(a, Step<Real>{ab, ab_a / (ab_a - ab_b)});
+  const Real of_c = ab_a * ac_b - ab_b * ac_a;             // barycentric, but for a common factor
+  if (of_c <= 0 && ab_a >= 0 && ab_b <= 0 && ab_a > ab_b)  // not where a and b are one
+    return visit(a, Step<Real>{ab, ab_a / (ab_a - ab_b)});
   const Vec cp = p - c;
   const Real ab_c = ab.dot(cp), ac_c = ac.dot(cp);
   if (ac_c >= 0 && ab_c <= ac_c) return visit(c);
