@@ -113,9 +113,11 @@ TEST_CASE("write_mesh: a format that is named wins over the extension") {
   check_writable(folder / "a", {false, false, "ply"});
   CHECK(folder.message([] { check_writable("-"); }) ==
         "standard output: the format of standard output must be named");
-  CHECK(folder.message([] {
-    check_writable("-", {false, false, "xyz"});
-  }) == "standard output: unknown format '.xyz'; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
+  CHECK(
+      folder.message([] {
+        check_writable("-", {false, false, "xyz"});
+      }) ==
+      "standard output: unknown format '.xyz'; known are .3mf, .glb, .gltf, .obj, .off, .om, .ply and .stl");
   check_writable("-", {false, false, "glb"});
 }
 
