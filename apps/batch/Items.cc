@@ -180,7 +180,8 @@ Listing list_items(const fs::path& source, const fs::path& out, const std::strin
   std::map<fs::path, fs::path> taken;
   std::map<std::string, fs::path> in_lower_case;
   std::optional<bool> counts;  // once that matters
-  for (auto& [in, relative] : found.meshes) {
+  for (auto& [in, name] : found.meshes) {
+    fs::path& relative = name;
     const bool is_packed = files::whole_extension(relative) != files::extension_of_format(relative);
     const auto become = [&](const std::string& extension) {
       if (is_packed) relative.replace_extension();
