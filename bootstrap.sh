@@ -6,7 +6,7 @@ set -euo pipefail
 
 packages=(
   # Compilers and tools; clang for clang-tidy and the sanitizers' builds.
-  build-essential clang clang-format clang-tidy cmake ninja-build ccache git pkg-config
+  build-essential clang clang-format clang-tidy lld cmake ninja-build ccache git pkg-config
   # The sanitizers of clang, and what names the lines in their reports.
   libclang-rt-14-dev llvm
   # The library: OpenMesh's headers lean on Eigen.
