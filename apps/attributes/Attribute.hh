@@ -29,10 +29,10 @@ struct Attribute {
   std::size_t components = 1;                  ///< of a value
   bool bytes = false;                          ///< colours only: the file has 0..255, so 8 bits say all
   bool downwards = false;                      ///< texture only: v grows downwards, as glTF counts it
-  bool names = false;                          ///< scalars and vectors that name something and do not blend
   std::vector<float> values;                   ///< `components` for each
   std::vector<IndexedMesh::Triangle> corners;  ///< for each face its corners' values; empty: value i is
                                                ///< vertex i's, and there is one for each vertex
+  bool names = false;                          ///< scalars and vectors that name something and do not blend
 
   std::size_t n_values() const { return values.size() / components; }
   const float* value(std::size_t i) const { return values.data() + components * i; }

@@ -6,11 +6,11 @@ namespace whittle::files {
 namespace {
 
 const std::string head = "ply\nformat ascii 1.0\n";
-const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string place_of = "property float x\nproperty float y\nproperty float z\n";
 const std::string list = "property list int int vertex_indices\nend_header\n";
 
 std::string vertices(int n) {
-  return "element vertex " + std::to_string(n) + "\n" + xyz;
+  return "element vertex " + std::to_string(n) + "\n" + place_of;
 }
 
 /// Places (0, 0), (1, 0), (0, 1), (1, 1), (0, 2), …: a strip's.

@@ -64,17 +64,17 @@ TEST_CASE("3MF: items and components are put in their places") {
   const std::string pair =
       "<object id=\"2\" type=\"model\"><components><component objectid=\"1\"/>"
       "<component objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 -10 0 0\"/></components></object>";
-  const MeshFile three = folder.read(
+  const MeshFile placed = folder.read(
       "a.3mf",
       package(kTetrahedron + pair,
               "<item objectid=\"2\" transform=\"2 0 0 0 2 0 0 0 2 0 0 5\"/><item objectid=\"1\"/>", "inch"));
-  REQUIRE(three.mesh.points.size() == 12);
-  CHECK(three.report.parts == 3);
-  CHECK(three.mesh.points[3] == IndexedMesh::Point(0, 0, 7));
-  CHECK(three.mesh.points[5] == IndexedMesh::Point(-22, 0, 5));
-  CHECK(three.mesh.triangles[4] == IndexedMesh::Triangle{4, 5, 6});  // mirrored, so turned round
-  CHECK(three.mesh.points[11] == IndexedMesh::Point(0, 0, 1));
-  CHECK(three.report.ignored == Names{"the unit, 'inch'"});
+  REQUIRE(placed.mesh.points.size() == 12);
+  CHECK(placed.report.parts == 3);
+  CHECK(placed.mesh.points[3] == IndexedMesh::Point(0, 0, 7));
+  CHECK(placed.mesh.points[5] == IndexedMesh::Point(-22, 0, 5));
+  CHECK(placed.mesh.triangles[4] == IndexedMesh::Triangle{4, 5, 6});  // mirrored, so turned round
+  CHECK(placed.mesh.points[11] == IndexedMesh::Point(0, 0, 1));
+  CHECK(placed.report.ignored == Names{"the unit, 'inch'"});
 }
 
 TEST_CASE("3MF: objects may stand in another model of the archive, as slicers write them") {
