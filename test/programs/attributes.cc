@@ -199,7 +199,7 @@ TEST_CASE("lods and batch tell how far attributes have changed, in texels of the
   const std::string head("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x20\0\0\0\x20\0", 24);  // 8,192 by 8,192
   std::ofstream(folder / "in/a.png", std::ios::binary) << head;
   const std::string obj = programs::contents(folder / "in/a.obj");
-  std::ofstream(folder / "in/a.obj") << "mtllib a.mtl\n" << obj;
+  std::ofstream(folder / "in/a.obj") << "mtllib a.mtl\nusemtl a\n" << obj;
   const Json of_image = changes_of();
   CHECK(of_image["image"]["width"] == 8192);
   CHECK(of_image["max_texels"].get<double>() ==

@@ -94,7 +94,7 @@ TEST_CASE("measure prints how far a texture has slid") {
   const std::string head("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x08\0\0\0\x04\0", 24);  // 2,048 by 1,024
   std::ofstream(folder / "a.png", std::ios::binary) << head;
   const std::string obj = programs::contents(folder / "a.obj");
-  std::ofstream(folder / "a.obj") << "mtllib a.mtl\n" << obj;
+  std::ofstream(folder / "a.obj") << "mtllib a.mtl\nusemtl a\n" << obj;
   const auto on_image = programs::run(
       WHITTLE_PROGRAM, {"measure", folder / "a.obj", folder / "b.obj", "--json", folder / "json"});
   CHECK_THAT(on_image.out, Contains("512") && Contains("texels of 2048 x 1024; 1 of 1 charts"));
