@@ -13,11 +13,11 @@ namespace {
 
 using Triangles = std::vector<IndexedMesh::Triangle>;
 
-constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+constexpr std::uint32_t kNoCorner = static_cast<std::uint32_t>(-1);
 
-/// For each side, named by its corner, the one of the neighbour where an edge has two faces; else `none`.
+/// For each side, named by its corner, the one of the neighbour where an edge has two faces; else `kNoCorner`.
 std::vector<std::uint32_t> neighbours(const Triangles& triangles, std::size_t vertices) {
-  std::vector<std::uint32_t> mates(3 * triangles.size(), none);
+  std::vector<std::uint32_t> mates(3 * triangles.size(), kNoCorner);
   for_each_edge(measure::sides_by_edge(triangles, vertices),
                 [&](const measure::Side* begin, const measure::Side* end) {
                   if (end - begin != 2) return;
@@ -103,7 +103,7 @@ std::size_t orient(MeshFile& file) {
     for (std::size_t i = 0; i < piece.size(); ++i) {
       for (std::uint32_t corner = 3 * piece[i]; corner < 3 * piece[i] + 3; ++corner) {
         const std::uint32_t mate = mates[corner];
-        if (mate == none || seen[mate / 3]) continue;
+        if (mate == kNoCorner || seen[mate / 3]) continue;
         seen[mate / 3] = true;
         turned[mate / 3] = turned[piece[i]] == agree(corner, mate);
         piece.push_back(mate / 3);

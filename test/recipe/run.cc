@@ -271,7 +271,7 @@ TEST_CASE("recipes that cannot run are refused before any work") {
   refused(make({"quadric:max-err=1"}, Driver::sweep), "driver 'sweep' cannot run module 'quadric'");
   refused(make({"fad", "hausdorff"}, Driver::bulk), "driver 'bulk' cannot run module 'hausdorff'");
   refused(make({"fad"}, Driver::bulk, ratio(0)), "ratio");
-  refused(make({"fad"}, Driver::bulk, ratio(1)), "ratio");
+  refused(make({"fad"}, Driver::bulk, ratio(1.01)), "ratio");
   refused(make({"fad"}, Driver::bulk, ratio(std::nan(""))), "ratio");
   CHECK_THROWS_WITH(parse_driver("fast"), Contains("unknown driver 'fast'; there are auto, bulk"));
   CHECK(parse_driver("sweep") == Driver::sweep);
