@@ -146,14 +146,14 @@ Command add_measure(CLI::App& app) {
     const auto texture = slid(original, simplified, on_texture);
     Json of_texture = texture ? to_json(*texture, on_texture.texels) : Json(nullptr);
     if (texture) of_texture["image"] = image;
-    Json of_distance = to_json(distance);
-    of_distance["certified"] = certified ? to_json(*certified, distance.diagonal) : Json(nullptr);
-    outputs.write("--json",
-                  json_text({{"command", "measure"},
-                             {"original", {{"file", options->original}, {"mesh", to_json(before)}}},
-                             {"simplified", {{"file", options->simplified}, {"mesh", to_json(after)}}},
-                             {"distance", of_distance},
-                             {"texture", of_texture}}));
+    outputs.write(
+        "--json",
+        json_text({{"command", "measure"},
+                   {"original", {{"file", options->original}, {"mesh", to_json(before)}}},
+                   {"simplified", {{"file", options->simplified}, {"mesh", to_json(after)}}},
+                   {"distance", to_json(distance)},
+                   {"certified", certified ? to_json(*certified, distance.diagonal) : Json(nullptr)},
+                   {"texture", of_texture}}));
     const std::string texels = options->texels ? "texels of " + figure(*options->texels) : texels_text(image);
     if (!options->quiet && options->json != "-")
       print_text(table(before, after, distance, certified) + (texture ? line(*texture, texels) : ""));
