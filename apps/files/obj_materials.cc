@@ -42,7 +42,7 @@ class LibraryCopier {
   std::string copy(const Library& library) {
     const auto text = bytes_of(library.path, kMostCopied);
     if (!text) return relative_name(library.path, path_.parent_path());
-    const std::string own = library.path.filename().string();
+    std::string own = library.path.filename().string();
     const std::string renamed = with_images(*text, [&](const std::string& image) {
       const auto from = beside(library.path, image);
       const std::string copied = from ? copy_beside(companions_, path_, *from, known_) : "";
