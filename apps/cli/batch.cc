@@ -24,7 +24,6 @@
 namespace whittle::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using batch::Outcome;
 
 struct Options : RecipeOptions {

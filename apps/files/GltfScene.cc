@@ -120,7 +120,7 @@ void GltfScene::add_skin(const Named& accessors, std::size_t count) {
   fresh.attribute.kind = Kind::skin;
   fresh.attribute.name = name;
   fresh.attribute.components = components;
-  std::vector<float>& all = open(name, std::move(fresh)).attribute.values;
+  std::vector<float>& all = open(name, fresh).attribute.values;
   for (std::size_t i = 0; i < 4 * count; i += 4)
     for (std::size_t set = 0; set < joints.size(); ++set)
       for (std::size_t k = 0; k < 4; ++k)
@@ -142,7 +142,7 @@ void GltfScene::add_target(const Named& accessors, std::size_t number, std::size
     fresh.attribute.kind = Kind::vector;
     fresh.attribute.name = full;
     fresh.attribute.components = components;
-    Channel& channel = open(full, std::move(fresh));
+    Channel& channel = open(full, fresh);
     if (channel.attribute.components != components) {
       builder_.ignore("morph target " + in_quotes(full));
       continue;
@@ -225,16 +225,16 @@ GltfScene::Channel* GltfScene::channel_for(const std::string& name, std::size_t 
     attribute.name = name;
   else if (attribute.name.empty() && name != "NORMAL" && name != "TEXCOORD_0" && name != "COLOR_0")
     return nullptr;
-  Channel& opened = open(name, std::move(channel));
+  Channel& opened = open(name, channel);
   const bool fits = opened.attribute.kind == Kind::colour || opened.attribute.components == components;
   return fits ? &opened : nullptr;
 }
 
 /// The channel of this name; the one given where there is none yet.
-GltfScene::Channel& GltfScene::open(const std::string& name, Channel channel) {
+GltfScene::Channel& GltfScene::open(const std::string& name, const Channel& channel) {
   // Each takes a value for every vertex of the scene, so an absurd file must not have too many.
   const std::size_t most = kept_ ? 1024 : 32;
-  const auto [place, is_new] = channels_.try_emplace(name, std::move(channel));
+  const auto [place, is_new] = channels_.try_emplace(name, channel);
   if (is_new && channels_.size() > most) throw Fault("more than " + std::to_string(most) + " attributes");
   if (is_new) pad(place->second, begin_);
   return place->second;

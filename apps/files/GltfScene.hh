@@ -53,7 +53,7 @@ class GltfScene {
   void add_skin(const Named& accessors, std::size_t count);
   void add_target(const Named& accessors, std::size_t number, std::size_t count);
   Channel* channel_for(const std::string& name, std::size_t components);
-  Channel& open(const std::string& name, Channel channel);
+  Channel& open(const std::string& name, const Channel& channel);
   std::string channel_name(const std::string& name) const;
   void transform_texture(std::vector<float>& values) const;
   void append(Channel& channel, const std::vector<float>& values, std::size_t components);

@@ -65,8 +65,9 @@ void arrange(Scene& scene, const std::vector<GltfInstance>& instances, std::size
   std::size_t cell = 0;
   for (std::size_t i = 0; i < meshes && shown > 1; ++i) {
     if (boxes[i].isEmpty()) continue;
-    const Eigen::Vector3d place(static_cast<double>(cell % side), static_cast<double>(cell / side % side),
-                                static_cast<double>(cell / side / side));
+    const std::size_t column = cell % side, row = cell / side % side, layer = cell / side / side;
+    const Eigen::Vector3d place(static_cast<double>(column), static_cast<double>(row),
+                                static_cast<double>(layer));
     scene.placements[i].offset = width * place - scene.placements[i].scale * boxes[i].center();
     ++cell;
   }
