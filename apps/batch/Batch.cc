@@ -142,6 +142,7 @@ class Run {
                                      "simplify",
                                      argument(item.in),
                                      argument(memory_.result(item)),
+                                     "--final-out=" + item.out.string(),
                                      "--json=" + argument(memory_.report(item)),
                                      "--quiet"};
     command.insert(command.end(), order_.arguments.begin(), order_.arguments.end());

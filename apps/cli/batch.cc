@@ -209,7 +209,7 @@ Command add_batch(CLI::App& app) {
   command
       ->add_option("--format", options->format,
                    "Write obj, ply, off, stl, om, glb, gltf or 3mf; default: what each was")
-      ->check(CLI::IsMember({"obj", "ply", "off", "stl", "om", "glb", "3mf"}));
+      ->check(CLI::IsMember({"obj", "ply", "off", "stl", "om", "glb", "gltf", "3mf"}));
   command->add_option("--time-limit", options->time_limit, "Give up on a mesh after so long")
       ->check(CLI::Range(0.001, 1e9))
       ->type_name("SECONDS");

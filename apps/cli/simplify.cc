@@ -17,6 +17,7 @@ namespace {
 
 struct Options : RecipeOptions {
   std::string in, out, json, map, format;
+  std::string final_out;  // what `out` is going to be called; empty: the same
   bool ascii = false, quiet = false, verbose = false;
 };
 
@@ -291,11 +292,11 @@ int simplify(const Options& options) {
   format.texture_at_vertices = in.texture_at_vertices;
   format.copy_materials = options.copy_materials;
   in.parts.of_face = result.parts;
+  const std::string& name = options.final_out.empty() ? options.out : options.final_out;
   files::Encoded out =
-      in.scene
-          ? files::encode_scene(options.out, in,
-                                {result.mesh, result.attributes, result.parts, result.vertex_map}, format)
-          : files::encode_mesh(options.out, result.mesh, format, result.attributes, in.parts);
+      in.scene ? files::encode_scene(
+                     name, in, {result.mesh, result.attributes, result.parts, result.vertex_map}, format)
+               : files::encode_mesh(name, result.mesh, format, result.attributes, in.parts);
   left_out.insert(left_out.end(), out.report.left_out.begin(), out.report.left_out.end());
   out.report.left_out = std::move(left_out);
   const Json companions = names_of(out.companions);
@@ -335,6 +336,12 @@ Command add_simplify(CLI::App& app) {
   command->add_option(
       "--map", options->map,
       "Write a line for each vertex of the input, which vertex it became, to a file, or to stdout for -");
+  command
+      ->add_option(
+          "--final-out", options->final_out,
+          "Where OUT is moved to afterwards: what is written beside it goes there, and what it refers to is "
+          "named from there")
+      ->type_name("PATH");
   command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");
   auto* quiet = command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->add_flag("--verbose", options->verbose, "Print what each stage did")->excludes(quiet);

@@ -2,6 +2,7 @@
 /// Materials, groups and scenes through whittle simplify.
 #include <Eigen/Geometry>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "TorusFile.hh"
@@ -151,4 +152,38 @@ TEST_CASE("a scene's meshes are simplified once, together or each for itself") {
   CHECK(flat.code == 0);
   CHECK(Json::parse(programs::contents(in.folder / "json"))["input"]["faces"].get<int>() >
         report["input"]["faces"].get<int>());
+}
+
+TEST_CASE("batch leaves results with all that belongs beside them, named from where they are") {
+  const DiscFile in;
+  namespace fs = std::filesystem;
+  fs::create_directories(in.folder / "scans/deep");
+  for (const char* name : {"in.obj", "two.mtl"})
+    fs::copy(in.folder / name, in.folder / (std::string("scans/deep/") + name));
+  REQUIRE(
+      whittle_program({"simplify", in.folder / "in.obj", in.folder / "scans/deep/a.gltf", "--ratio", "0.9"})
+          .code == 0);
+  const auto batch = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"batch",           in.folder / "scans", "--out",
+                                       in.folder / "out", "--ratio",           "0.5"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto done = whittle_program(arguments);
+    INFO(done.out << done.err);
+    CHECK(done.code == 0);
+  };
+  const double area = in.disc_area("in.obj");
+  batch({});
+  CHECK(in.disc_area("out/deep/in.obj") == Approx(area).epsilon(0.03));
+  CHECK(in.disc_area("out/deep/a.gltf") == Approx(area).epsilon(0.03));
+  CHECK(fs::exists(in.folder / "out/deep/a.bin"));
+  CHECK(fs::is_empty(in.folder / "out/.whittle/work"));
+  CHECK_FALSE(fs::exists(in.folder / "out/deep/two.mtl"));  // it is referred to
+  fs::remove_all(in.folder / "out");
+  batch({"--copy-materials"});
+  CHECK(fs::exists(in.folder / "out/deep/two.mtl"));
+  CHECK(in.disc_area("out/deep/in.obj") == Approx(area).epsilon(0.03));
+  fs::remove_all(in.folder / "out");
+  fs::remove(in.folder / "scans/deep/a.gltf");
+  batch({"--format", "gltf"});
+  CHECK(in.disc_area("out/deep/in.gltf") == Approx(area).epsilon(0.03));
 }
