@@ -1,6 +1,7 @@
 #include "files/GltfOutput.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "files/Choice.hh"
@@ -78,6 +79,16 @@ std::size_t GltfOutput::add_floats(const std::vector<float>& values, std::size_t
     json_["accessors"][number]["max"].push_back(static_cast<double>(most));
   }
   return number;
+}
+
+std::size_t GltfOutput::add_normals(std::vector<float> values) {
+  constexpr float tolerance = 1e-3F;
+  for (std::size_t i = 0; i + 2 < values.size(); i += 3) {
+    const float length = std::hypot(values[i], values[i + 1], values[i + 2]);
+    if (length == 0 || std::abs(length - 1) < tolerance) continue;
+    for (std::size_t k = 0; k < 3; ++k) values[i + k] /= length;
+  }
+  return add_floats(values, 3);
 }
 
 std::size_t GltfOutput::add_joints(const std::vector<float>& values) {
@@ -171,14 +182,6 @@ std::string GltfOutput::gltf(const std::string& uri, std::string& data) {
   if (!buffer_.empty()) json_["buffers"][0]["uri"] = encode_percents(uri);
   data = std::move(buffer_);
   return json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string gltf_of_glb(const std::string& glb, const std::string& uri, std::string& data) {
-  const std::size_t length = load<std::uint32_t>(glb.data() + 12, ByteOrder::little);
-  const std::size_t begin = 20 + length + 8;
-  GltfOutput output(nlohmann::json::parse(glb.substr(20, length)),
-                    begin < glb.size() ? glb.substr(begin) : "");
-  return output.gltf(uri, data);
 }
 
 }  // namespace whittle::files

@@ -33,6 +33,8 @@ class GltfOutput {
   /// \{
   /// \param bounds  whether the least and the largest of each component are said, as of positions
   std::size_t add_floats(const std::vector<float>& values, std::size_t components, bool bounds = false);
+  /// Of unit length, as glTF wants them; what is so within the precision of a file keeps its bits.
+  std::size_t add_normals(std::vector<float> values);
   /// Whole numbers 0..65535, in as many bytes as the largest takes, four components each.
   std::size_t add_joints(const std::vector<float>& values);
   /// Colours of bytes.
@@ -55,9 +57,5 @@ class GltfOutput {
   std::string buffer_;
   std::vector<std::size_t> free_accessors_, free_views_;  // descending: the next one is the last
 };
-
-/// A GLB as the JSON of a .gltf and the data of the file that it names.
-/// \pre it is one that this program has made
-std::string gltf_of_glb(const std::string& glb, const std::string& uri, std::string& data);
 
 }  // namespace whittle::files

@@ -10,6 +10,8 @@
 
 namespace whittle::files {
 
+class GltfOutput;
+
 enum class Format { obj, off, ply, stl, om, glb, gltf, three_mf };
 
 /// The format that an extension names, in any case of letters, with its dot.
@@ -19,12 +21,6 @@ Format format_of_extension(const std::string& extension);
 /// The format in which a file of this name is written.
 /// \throw Fault  unknown
 Format format_to_write(const std::filesystem::path& path, const WriteOptions& options);
-
-/// What the file of a .gltf's data is called.
-std::string data_file_name(const std::filesystem::path& gltf);
-
-/// glTF wants normals of unit length; what is so within the precision of a file keeps its bits.
-void normalize(std::vector<float>& normals);
 
 /// The format that the content names without doubt.
 /// \return false if it names none
@@ -65,11 +61,11 @@ bool may_be_obj(std::string_view bytes);
 bool may_be_stl(std::string_view bytes);
 /// \}
 
-/// Writes; makes sure first that a reader will take it back.
-/// \param libraries  that an OBJ file is to name
-std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                       const WriteOptions& options, Format format, WriteReport& report,
-                       const Parts& parts = {}, const std::vector<std::string>& libraries = {});
+/// The bytes in a format, not packed; makes sure first that a reader will take them back.
+/// \param path  of the file, for what belongs beside it
+void encode_as(const std::filesystem::path& path, const IndexedMesh& mesh,
+               const attributes::Attributes& attributes, const WriteOptions& options, Format format,
+               const Parts& parts, Encoded& out);
 
 /// The writers. They are given indices in range, values that fit the mesh and are finite but for scalars.
 /// \{
@@ -95,7 +91,12 @@ struct LevelView {
   double error;
 };
 
-std::string glb_bytes(const std::vector<LevelView>& levels, WriteReport& report);
+/// A document with a level, or several that hang on the first.
+GltfOutput gltf_of(const std::vector<LevelView>& levels, WriteReport& report);
 /// \}
+
+/// The document as the bytes of a GLB, or of a .gltf and its data beside it.
+/// \param path  of the file
+void encode_gltf(GltfOutput& document, const std::filesystem::path& path, Format format, Encoded& out);
 
 }  // namespace whittle::files

@@ -21,11 +21,6 @@ struct ObjMaterials {
 ObjMaterials obj_materials(const Parts& parts, const std::filesystem::path& path, bool copies,
                            WriteReport& report);
 
-/// A companion of this name beside a file; where another one has the name, "name-1" and so on.
-/// \return the name
-std::string add_companion(std::vector<Companion>& companions, const std::filesystem::path& file,
-                          const std::string& name, std::string bytes);
-
 /// A name for the file of an image that had none: of letters, digits, - and _, with the extension of its kind.
 std::string image_file_name(const Image& image, const std::string& prefix);
 

@@ -2,21 +2,17 @@
 /// glTF 2.0: writing a scene back with other triangles.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <set>
 
-#include "files/Choice.hh"
 #include "files/Fault.hh"
 #include "files/GltfOutput.hh"
 #include "files/IndexTable.hh"
 #include "files/Scene.hh"
-#include "files/beside.hh"
 #include "files/formats.hh"
-#include "files/gltf_uri.hh"
 #include "files/gzip.hh"
-#include "files/obj_materials.hh"
+#include "files/scene_images.hh"
 #include "files/scene_references.hh"
+#include "files/scene_remains.hh"
 
 namespace whittle::files {
 namespace {
@@ -76,75 +72,24 @@ std::vector<float> narrowed(const std::vector<float>& values, std::size_t compon
   return out;
 }
 
-const char* mime_type(std::string_view bytes) {
-  if (bytes.substr(0, 4) == "\x89PNG") return "image/png";
-  if (bytes.substr(0, 3) == "\xff\xd8\xff") return "image/jpeg";
-  if (bytes.substr(0, 4) == "RIFF") return "image/webp";
-  return bytes.substr(1, 6) == "KTX 20" ? "image/ktx2" : nullptr;
-}
-
 class SceneWriter {
  public:
   SceneWriter(const MeshFile& in, const SceneResult& result, WriteReport& report)
       : in_(in), scene_(*in.scene), result_(result), report_(report), document_(scene_.document) {}
 
   void run() {
-    prepare_materials();
+    drop_lost_looks(document_, scene_, !in_.parts.materials.empty(), result_.attributes);
     prepare_data();
     find_exact_points();
     write_pieces();
-    remove_what_is_empty();
-    name_extensions();
+    drop_empty_meshes(output_->json());
+    drop_packing_extensions(output_->json(), scene_.pieces.size());
     output_->json()["asset"]["generator"] = "whittle";
   }
 
   GltfOutput& output() { return *output_; }
 
  private:
-  bool has_texture(const Attribute& attribute) const { return attribute.kind == Kind::texture; }
-
-  /// Without the materials, or without their textures, where those have been left out.
-  void prepare_materials() {
-    const auto had = [&](auto test) { return std::any_of(scene_.pieces.begin(), scene_.pieces.end(), test); };
-    const bool had_materials =
-        had([&](const Scene::Piece& piece) { return primitive(piece).contains("material"); });
-    const bool had_texture = had([](const Scene::Piece& piece) {
-      return std::any_of(piece.channels.begin(), piece.channels.end(), [](const Scene::Channel& channel) {
-        return channel.name.rfind("TEXCOORD_", 0) == 0;
-      });
-    });
-    const auto& attributes = result_.attributes;
-    const bool has_texture = std::any_of(attributes.begin(), attributes.end(),
-                                         [](const auto& a) { return a.kind == Kind::texture; });
-    if (had_materials && in_.parts.materials.empty()) {
-      for (Json& mesh : document_["meshes"])
-        for (Json& part : mesh["primitives"]) part.erase("material");
-      erase_sections({"materials", "textures", "images", "samplers"});
-    } else if (had_texture && !has_texture && document_.contains("materials")) {
-      remove_textures(document_["materials"]);
-      erase_sections({"textures", "images", "samplers"});
-    }
-  }
-
-  void erase_sections(std::initializer_list<const char*> keys) {
-    for (const char* key : keys) document_.erase(key);
-  }
-
-  static void remove_textures(Json& value) {
-    if (value.is_object())
-      for (auto member = value.begin(); member != value.end();) {
-        const std::string& key = member.key();
-        const bool is_texture = key.size() >= 7 && key.compare(key.size() - 7, 7, "Texture") == 0;
-        member = is_texture ? value.erase(member) : std::next(member);
-      }
-    if (value.is_structured())
-      for (Json& one : value) remove_textures(one);
-  }
-
-  Json& primitive(const Scene::Piece& piece) {
-    return document_["meshes"][piece.mesh]["primitives"][piece.primitive];
-  }
-
   /// Puts the data that stay one behind the other.
   void prepare_data() {
     const SceneReferences kept = references_besides(document_, scene_.pieces);
@@ -267,14 +212,12 @@ class SceneWriter {
     if (attribute.kind == Kind::skin) return add_skin(part, attribute, values);
     if (attribute.kind == Kind::colour && channel.components < attribute.components)
       values = narrowed(values, attribute.components, channel.components);
-    if (attribute.kind == Kind::normal) normalize(values);
     const std::size_t slash = channel.name.find('/');
-    const bool is_bytes = attribute.kind == Kind::colour && channel.bytes;
-    const std::size_t accessor =
-        is_bytes
-            ? output_->add_bytes(values, channel.components)
-            : output_->add_floats(values, channel.components,
-                                  slash != std::string::npos && channel.name.substr(slash) == "/POSITION");
+    const bool is_position = slash != std::string::npos && channel.name.substr(slash) == "/POSITION";
+    const std::size_t accessor = attribute.kind == Kind::normal ? output_->add_normals(std::move(values))
+                                 : attribute.kind == Kind::colour && channel.bytes
+                                     ? output_->add_bytes(values, channel.components)
+                                     : output_->add_floats(values, channel.components, is_position);
     if (attribute.kind == Kind::vector && slash != std::string::npos && channel.name[0] != '_')
       part["targets"][std::stoul(channel.name.substr(0, slash))][channel.name.substr(slash + 1)] = accessor;
     else
@@ -296,57 +239,6 @@ class SceneWriter {
     }
   }
 
-  static bool has_positions(const Json& part) {
-    return part.contains("attributes") && part["attributes"].contains("POSITION");
-  }
-
-  /// A part must have vertices, and a mesh must have parts.
-  void remove_what_is_empty() {
-    Json& json = output_->json();
-    if (!json.contains("meshes")) return;
-    Json left = Json::array();
-    std::vector<std::optional<std::size_t>> number;
-    for (Json& mesh : json["meshes"]) {
-      Json parts = Json::array();
-      for (Json& part : mesh["primitives"])
-        if (has_positions(part)) parts.push_back(std::move(part));
-      const bool stays = !parts.empty();
-      number.push_back(stays ? std::optional(left.size()) : std::nullopt);
-      if (!stays) continue;
-      mesh["primitives"] = std::move(parts);
-      left.push_back(std::move(mesh));
-    }
-    json["meshes"] = std::move(left);
-    if (json["meshes"].empty()) json.erase("meshes");
-    for (Json& node : json.contains("nodes") ? json["nodes"] : empty_) {
-      if (!node.contains("mesh")) continue;
-      if (const auto now = number[node["mesh"].get<std::size_t>()]) {
-        node["mesh"] = *now;
-        continue;
-      }
-      for (const char* key : {"mesh", "skin", "weights"}) node.erase(key);
-      if (node.contains("extensions")) node["extensions"].erase("EXT_mesh_gpu_instancing");
-    }
-  }
-
-  /// Those of how data are packed go with the data.
-  void name_extensions() {
-    Json& json = output_->json();
-    std::set<std::string> gone = {"EXT_meshopt_compression", "KHR_draco_mesh_compression"};
-    std::size_t parts = 0;
-    for (const Json& mesh : json.contains("meshes") ? json["meshes"] : empty_)
-      parts += mesh["primitives"].size();
-    if (parts <= scene_.pieces.size()) gone.insert("KHR_mesh_quantization");
-    for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
-      if (!json.contains(key)) continue;
-      Json left = Json::array();
-      for (const Json& name : json[key])
-        if (!name.is_string() || gone.count(name.get<std::string>()) == 0) left.push_back(name);
-      json[key] = std::move(left);
-      if (json[key].empty()) json.erase(key);
-    }
-  }
-
   const MeshFile& in_;
   const Scene& scene_;
   const SceneResult& result_;
@@ -356,87 +248,18 @@ class SceneWriter {
   std::vector<std::uint32_t> exact_;  ///< for each vertex the one of the file that it still is
 };
 
-/// Images that are files: within a GLB, or beside a .gltf.
-class ImageCarrier {
- public:
-  ImageCarrier(const Scene& scene, const fs::path& path, Encoded& out)
-      : scene_(scene), path_(path), out_(out) {}
-
-  void run(GltfOutput& output, bool into_glb) {
-    Json& json = output.json();
-    if (!json.contains("images")) return;
-    for (std::size_t i = 0; i < json["images"].size(); ++i) {
-      const Json& image = json["images"][i];
-      if (!image.contains("uri") || !image["uri"].is_string()) continue;
-      const std::string uri = image["uri"].get<std::string>();
-      if (is_data_uri(uri)) continue;
-      const auto from = beside(scene_.path, decode_percents(uri));
-      if (!into_glb && from && is_at(*from, path_.parent_path() / decode_percents(uri))) continue;
-      auto bytes = from ? bytes_of(*from, std::size_t{1} << 31) : std::nullopt;
-      if (!bytes) {
-        leave_out(out_.report, "image " + in_quotes(decode_percents(uri)) +
-                                   ", which is not in the input's folder; it is still named");
-        continue;
-      }
-      if (into_glb)
-        embed(output, i, *bytes);
-      else
-        copy(json["images"][i], *from, std::move(*bytes));
-    }
-  }
-
- private:
-  static bool is_at(const fs::path& a, const fs::path& b) {
-    std::error_code error;
-    return fs::equivalent(a, b, error) && !error;
-  }
-
-  void embed(GltfOutput& output, std::size_t number, const std::string& bytes) {
-    const std::size_t view = output.add_view(bytes);
-    Json& image = output.json()["images"][number];
-    if (const char* type = mime_type(bytes)) image["mimeType"] = type;
-    if (!image.contains("mimeType")) image["mimeType"] = "application/octet-stream";
-    if (!image.contains("name")) image["name"] = decode_percents(image["uri"].get<std::string>());
-    image.erase("uri");
-    image["bufferView"] = view;
-  }
-
-  void copy(Json& image, const fs::path& from, std::string bytes) {
-    const auto [place, is_new] = copied_.emplace(from, "");
-    if (is_new)
-      place->second = add_companion(out_.companions, path_, from.filename().string(), std::move(bytes));
-    image["uri"] = encode_percents(place->second);
-  }
-
-  const Scene& scene_;
-  const fs::path& path_;
-  Encoded& out_;
-  std::map<fs::path, std::string> copied_;
-};
-
-void encode(const fs::path& path, const MeshFile& in, const SceneResult& result, bool is_glb, Encoded& out) {
-  SceneWriter writer(in, result, out.report);
-  writer.run();
-  ImageCarrier(*in.scene, path, out).run(writer.output(), is_glb);
-  if (is_glb) {
-    out.bytes = writer.output().glb();
-    return;
-  }
-  std::string data;
-  out.bytes = writer.output().gltf(data_file_name(path), data);
-  if (!data.empty())
-    out.companions.push_back({path.parent_path() / data_file_name(path), std::move(data), path});
-}
-
 }  // namespace
 
 Encoded encode_scene(const fs::path& path, const MeshFile& in, const SceneResult& result,
                      const WriteOptions& options) {
   return naming(path, [&] {
-    const bool is_glb = format_to_write(path, options) == Format::glb;
+    const Format format = format_to_write(path, options);
     Encoded out;
     try {
-      encode(path, in, result, is_glb, out);
+      SceneWriter writer(in, result, out.report);
+      writer.run();
+      carry_images(*in.scene, path, format == Format::glb, writer.output(), out);
+      encode_gltf(writer.output(), path, format, out);
     } catch (const Json::exception&) {
       throw Fault("not written: the JSON of the input is damaged; --flatten writes its triangles alone");
     }

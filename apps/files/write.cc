@@ -111,6 +111,15 @@ std::string where_materials_are(const std::vector<std::string>& libraries,
   return text;
 }
 
+void encode_obj(const std::filesystem::path& path, const IndexedMesh& mesh,
+                const attributes::Attributes& attributes, const WriteOptions& options, const Parts& parts,
+                Encoded& out) {
+  ObjMaterials beside = obj_materials(parts, path, options.copy_materials, out.report);
+  out.bytes = obj_bytes(mesh, attributes, options, parts, beside.libraries, out.report);
+  out.report.materials = where_materials_are(beside.libraries, beside.companions);
+  out.companions = std::move(beside.companions);
+}
+
 /// Whether a format can hold an attribute.
 bool can_hold(Format format, const Attribute& attribute) {
   if (attribute.kind == Kind::vector || attribute.kind == Kind::skin) return false;
@@ -156,40 +165,42 @@ Format format_to_write(const std::filesystem::path& path, const WriteOptions& op
   return format;
 }
 
-std::string data_file_name(const std::filesystem::path& gltf) {
-  return gltf.stem().string() + ".bin";
-}
-
-std::string mesh_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                       const WriteOptions& options, Format format, WriteReport& report, const Parts& parts,
-                       const std::vector<std::string>& libraries) {
+void encode_as(const std::filesystem::path& path, const IndexedMesh& mesh,
+               const attributes::Attributes& attributes, const WriteOptions& options, Format format,
+               const Parts& parts, Encoded& out) {
   check_parts(mesh, parts);
   check_mesh(mesh, attributes, options.single_precision || format == Format::stl || is_gltf(format));
+  WriteReport& report = out.report;
   if (!all_finite(attributes))
-    return mesh_bytes(mesh, with_finite_values(attributes, report), options, format, report, parts,
-                      libraries);
+    return encode_as(path, mesh, with_finite_values(attributes, report), options, format, parts, out);
   if (const auto at_corners = to_be_split(attributes, format, options); !at_corners.empty()) {
     SplitMesh split = split_mesh(mesh, attributes, at_corners);
     report.doubled_vertices = split.mesh.points.size() - mesh.points.size();
     report.first_vertex = std::move(split.first);
-    return mesh_bytes(split.mesh, split.attributes, options, format, report, parts, libraries);
+    return encode_as(path, split.mesh, split.attributes, options, format, parts, out);
   }
   if (!can_hold_materials(format) && parts.has_materials()) leave_out(report, "materials");
   switch (format) {
     case Format::obj:
-      return obj_bytes(mesh, attributes, options, parts, libraries, report);
+      return encode_obj(path, mesh, attributes, options, parts, out);
     case Format::off:
-      return off_bytes(mesh, attributes, options, report);
+      out.bytes = off_bytes(mesh, attributes, options, report);
+      break;
     case Format::ply:
-      return ply_bytes(mesh, attributes, options, report);
+      out.bytes = ply_bytes(mesh, attributes, options, report);
+      break;
     case Format::stl:
-      return stl_bytes(mesh, attributes, options, report);
+      out.bytes = stl_bytes(mesh, attributes, options, report);
+      break;
     case Format::three_mf:
-      return three_mf_bytes(mesh, attributes, options, report);
+      out.bytes = three_mf_bytes(mesh, attributes, options, report);
+      break;
     case Format::om:
-      return om_bytes(mesh, attributes, options, report);
+      out.bytes = om_bytes(mesh, attributes, options, report);
+      break;
     default:
-      return glb_bytes({{&mesh, &attributes, &parts, 0}}, report);
+      GltfOutput document = gltf_of({{&mesh, &attributes, &parts, 0}}, report);
+      encode_gltf(document, path, format, out);
   }
 }
 
@@ -228,19 +239,7 @@ Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, 
                     const attributes::Attributes& attributes, const Parts& parts) {
   return naming(path, [&] {
     Encoded encoded;
-    const Format format = format_to_write(path, options);
-    ObjMaterials beside;
-    if (format == Format::obj) beside = obj_materials(parts, path, options.copy_materials, encoded.report);
-    encoded.bytes = mesh_bytes(mesh, attributes, options, format, encoded.report, parts, beside.libraries);
-    if (format == Format::obj)
-      encoded.report.materials = where_materials_are(beside.libraries, beside.companions);
-    encoded.companions = std::move(beside.companions);
-    if (format == Format::gltf) {
-      std::string data;
-      encoded.bytes = gltf_of_glb(encoded.bytes, data_file_name(path), data);
-      if (!data.empty())
-        encoded.companions.push_back({path.parent_path() / data_file_name(path), std::move(data), path});
-    }
+    encode_as(path, mesh, attributes, options, format_to_write(path, options), parts, encoded);
     if (is_gzip_name(path)) encoded.bytes = gzipped(encoded.bytes);
     return encoded;
   });
@@ -274,7 +273,8 @@ Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<L
       check_parts(level.mesh, level.parts);
       views.push_back({&level.mesh, &finite.back(), &level.parts, level.error});
     }
-    encoded.bytes = glb_bytes(views, encoded.report);
+    GltfOutput document = gltf_of(views, encoded.report);
+    encode_gltf(document, path, Format::glb, encoded);
     if (is_gzip_name(path)) encoded.bytes = gzipped(encoded.bytes);
     return encoded;
   });

@@ -47,14 +47,13 @@ void check_there_and_back(const MeshFile& file) {
   const Format written = format == Format::gltf ? Format::glb : format;
   WriteOptions options;
   options.single_precision = file.single_precision;
-  WriteReport report;
-  std::string bytes;
+  Encoded out;
   try {
-    bytes = mesh_bytes(file.mesh, file.attributes, options, written, report);
+    encode_as("-", file.mesh, file.attributes, options, written, {}, out);
   } catch (const Fault&) {
     return;  // too large for 32-bit floats
   }
-  const MeshFile back = parsed(bytes, written, Repair::none);
+  const MeshFile back = parsed(out.bytes, written, Repair::none);
   const std::size_t faces = back.mesh.triangles.size() + back.report.dropped_degenerate;
   require(faces == file.mesh.triangles.size(), "not as many faces there and back");
 }

@@ -1,10 +1,10 @@
 /// \file
-/// glTF 2.0: writing, as GLB, with one level of detail or several.
+/// glTF 2.0: writing, with one level of detail or several.
 #include <algorithm>
 #include <cmath>
 
 #include "files/Fault.hh"
-#include "files/GlbWriter.hh"
+#include "files/GltfWriter.hh"
 #include "files/formats.hh"
 
 namespace whittle::files {
@@ -35,41 +35,42 @@ std::vector<double> screen_coverage(const std::vector<LevelView>& levels) {
   return coverage;
 }
 
-tinygltf::Value list_of(const std::vector<double>& numbers) {
-  tinygltf::Value::Array list;
-  for (const double number : numbers) list.emplace_back(number);
-  return tinygltf::Value(std::move(list));
-}
-
 /// The first level is in the scene and names the others, which are not.
-void connect_levels(tinygltf::Model& model, const std::vector<LevelView>& levels) {
-  tinygltf::Value::Array others;
+void connect_levels(nlohmann::json& document, const std::vector<LevelView>& levels) {
+  nlohmann::json others = nlohmann::json::array();
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    tinygltf::Value::Object extras;
-    extras["error"] = tinygltf::Value(levels[i].error);
-    const std::vector<double> coverage = i == 0 ? screen_coverage(levels) : std::vector<double>();
-    if (!coverage.empty()) extras["MSFT_screencoverage"] = list_of(coverage);
-    model.nodes[i].extras = tinygltf::Value(std::move(extras));
-    if (i > 0) others.emplace_back(static_cast<int>(i));
+    document["nodes"][i]["extras"]["error"] = levels[i].error;
+    if (i > 0) others.push_back(i);
   }
-  tinygltf::Value::Object lod;
-  lod["ids"] = tinygltf::Value(std::move(others));
-  model.nodes[0].extensions["MSFT_lod"] = tinygltf::Value(std::move(lod));
-  model.extensionsUsed.emplace_back("MSFT_lod");
+  nlohmann::json& first = document["nodes"][0];
+  if (const std::vector<double> coverage = screen_coverage(levels); !coverage.empty())
+    first["extras"]["MSFT_screencoverage"] = coverage;
+  first["extensions"]["MSFT_lod"]["ids"] = std::move(others);
+  document["extensionsUsed"] = nlohmann::json::array({"MSFT_lod"});
 }
 
 }  // namespace
 
-std::string glb_bytes(const std::vector<LevelView>& levels, WriteReport& report) {
+GltfOutput gltf_of(const std::vector<LevelView>& levels, WriteReport& report) {
   if (levels.empty()) throw Fault("not written: there is no level of detail");
-  GlbWriter writer(report);
+  GltfWriter writer(report);
   for (const LevelView& level : levels) {
     if (!std::isfinite(level.error)) throw Fault("not written: an error that is not finite");
     writer.add(*level.mesh, *level.attributes, *level.parts);
   }
-  writer.model().scenes[0].nodes = {0};
-  if (levels.size() > 1) connect_levels(writer.model(), levels);
-  return writer.bytes();
+  if (levels.size() > 1) connect_levels(writer.output().json(), levels);
+  return std::move(writer.output());
+}
+
+void encode_gltf(GltfOutput& document, const std::filesystem::path& path, Format format, Encoded& out) {
+  if (format != Format::gltf) {
+    out.bytes = document.glb();
+    return;
+  }
+  const std::string name = path.stem().string() + ".bin";
+  std::string data;
+  out.bytes = document.gltf(name, data);
+  if (!data.empty()) out.companions.push_back({path.parent_path() / name, std::move(data), path});
 }
 
 }  // namespace whittle::files

@@ -1,0 +1,18 @@
+/// \file
+/// The images of a glTF scene that are files.
+#pragma once
+
+#include <filesystem>
+
+#include "files/GltfOutput.hh"
+#include "files/MeshFile.hh"
+#include "files/Scene.hh"
+
+namespace whittle::files {
+
+/// Puts them into a GLB, or beside a .gltf. One that is not in the input's folder is noted, and stays named as it is.
+/// \param path  of the result
+void carry_images(const Scene& scene, const std::filesystem::path& path, bool into_glb, GltfOutput& output,
+                  Encoded& out);
+
+}  // namespace whittle::files
