@@ -17,8 +17,9 @@ packages=(
   libegl-dev libegl1 libgl1-mesa-dri libepoxy-dev libglfw3-dev libimgui-dev libfreetype-dev
   # A font that can be read; a display for tests, and a mouse on it.
   fonts-dejavu-core xvfb libxcb1-dev
-  # Tests, which open the report in a browser and run batches in parallel, and certificates for those who fetch over HTTPS.
-  catch2 ca-certificates chromium parallel
+  # Tests, which open the report in a browser, run batches in parallel and calculate with rationals, and certificates for
+  # those who fetch over HTTPS.
+  catch2 ca-certificates chromium parallel libgmp-dev
   # The API reference.
   doxygen
 )

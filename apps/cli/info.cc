@@ -43,7 +43,8 @@ std::string attributes_text(const Json& attributes) {
   return out;
 }
 
-std::string table(const std::string& path, const std::string& format, const measure::MeshFacts& f) {
+std::string table(const std::string& path, const std::string& format, const measure::MeshFacts& f,
+                  const Intersections& crossing) {
   std::string out = text::printable(path) + " (" + format + ")\n";
   const auto count = [&](const char* name, std::size_t n) { out += text::format("  %-22s %zu\n", name, n); };
   const auto size = [&](const char* name, double x) {
@@ -61,6 +62,7 @@ std::string table(const std::string& path, const std::string& format, const meas
   count("isolated vertices", f.isolated_vertices);
   count("degenerate faces", f.degenerate_faces);
   count("duplicate faces", f.duplicate_faces);
+  out += text::format("  %-22s %s\n", "intersecting pairs", count_of(crossing).c_str());
   size("area", f.area);
   size("volume", f.volume);
   size("mean edge", f.mean_edge);
@@ -75,12 +77,15 @@ std::string table(const std::string& path, const std::string& format, const meas
 Command add_info(CLI::App& app) {
   struct Options {
     std::string mesh, json;
-    bool quiet = false;
+    bool list = false, quiet = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("info", "Tell what is in a mesh file");
   command->add_option("MESH", options->mesh, "The mesh file")->required();
   command->add_option("--json", options->json, "Write the figures as JSON to a file, or to stdout for -");
+  command->add_flag("--list-intersections", options->list,
+                    "With --json: name the pairs of faces that intersect, as numbers from 0 in the order of "
+                    "the faces read");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->footer("Example:\n  whittle info bunny.ply");
   return [options] {
@@ -90,14 +95,16 @@ Command add_info(CLI::App& app) {
     const files::MeshFile in = files::read_mesh(options->mesh);
     if (!options->quiet) print_notes(options->mesh, in.report);
     const measure::MeshFacts facts = measure::facts(in.mesh);
+    const Intersections crossing = intersections(in.mesh);
     const Json attributes = attributes_json(in);
     outputs.write("--json", json_text({{"command", "info"},
                                        {"file", options->mesh},
                                        {"read", to_json(in.report)},
                                        {"mesh", to_json(facts)},
+                                       {"intersections", to_json(crossing, options->list)},
                                        {"attributes", attributes}}));
     if (!options->quiet && options->json != "-")
-      print_text(table(options->mesh, in.report.format, facts) + attributes_text(attributes));
+      print_text(table(options->mesh, in.report.format, facts, crossing) + attributes_text(attributes));
     outputs.commit();
     return 0;
   };

@@ -48,7 +48,8 @@ std::string line(const measure::CertifiedDistance& d, double diagonal) {
   return row("max, proved: at least", d.lower) + row("and at most", d.upper);
 }
 
-std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, const measure::Distance& d,
+std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, const Intersections& of_a,
+                  const Intersections& of_b, const measure::Distance& d,
                   const std::optional<measure::CertifiedDistance>& certified) {
   std::string out = text::format("%-22s %14s %14s\n", "", "original", "simplified");
   const auto count = [&](const char* name, std::size_t x, std::size_t y) {
@@ -65,6 +66,8 @@ std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, cons
   count("boundary edges", a.boundary_edges, b.boundary_edges);
   count("non-manifold edges", a.nonmanifold_edges, b.nonmanifold_edges);
   count("degenerate faces", a.degenerate_faces, b.degenerate_faces);
+  out +=
+      text::format("%-22s %14s %14s\n", "intersecting pairs", count_of(of_a).c_str(), count_of(of_b).c_str());
   size("area", a.area, b.area);
   size("volume", a.volume, b.volume);
 
@@ -89,7 +92,7 @@ Command add_measure(CLI::App& app) {
     std::size_t samples = measure::DistanceOptions().samples;
     std::string certify;
     std::optional<double> texels;
-    bool quiet = false;
+    bool list = false, quiet = false;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("measure", "Tell how far a simplified mesh lies from its original");
@@ -112,6 +115,9 @@ Command add_measure(CLI::App& app) {
           "has it, else 1024")
       ->check(CLI::Range(1.0, 1e6));
   command->add_option("--json", options->json, "Write the figures as JSON to a file, or to stdout for -");
+  command->add_flag("--list-intersections", options->list,
+                    "With --json: name the pairs of faces that intersect, as numbers from 0 in the order of "
+                    "the faces read");
   command->add_flag("--quiet", options->quiet, "Print nothing but errors");
   command->footer(
       "Examples:\n  whittle measure bunny.ply small.ply\n  whittle measure bunny.ply small.ply --certify "
@@ -139,6 +145,7 @@ Command add_measure(CLI::App& app) {
     const measure::MeshFacts before = measure::facts(original.mesh), after = measure::facts(simplified.mesh);
     attributes::TextureErrorOptions on_texture;
     on_texture.samples = options->samples;
+    const Intersections of_before = intersections(original.mesh), of_after = intersections(simplified.mesh);
     const Json image = options->texels
                            ? Json(nullptr)
                            : count_in_texels_of(files::texture_image_size(original.parts), on_texture);
@@ -149,14 +156,21 @@ Command add_measure(CLI::App& app) {
     outputs.write(
         "--json",
         json_text({{"command", "measure"},
-                   {"original", {{"file", options->original}, {"mesh", to_json(before)}}},
-                   {"simplified", {{"file", options->simplified}, {"mesh", to_json(after)}}},
+                   {"original",
+                    {{"file", options->original},
+                     {"mesh", to_json(before)},
+                     {"intersections", to_json(of_before, options->list)}}},
+                   {"simplified",
+                    {{"file", options->simplified},
+                     {"mesh", to_json(after)},
+                     {"intersections", to_json(of_after, options->list)}}},
                    {"distance", to_json(distance)},
                    {"certified", certified ? to_json(*certified, distance.diagonal) : Json(nullptr)},
                    {"texture", of_texture}}));
     const std::string texels = options->texels ? "texels of " + figure(*options->texels) : texels_text(image);
     if (!options->quiet && options->json != "-")
-      print_text(table(before, after, distance, certified) + (texture ? line(*texture, texels) : ""));
+      print_text(table(before, after, of_before, of_after, distance, certified) +
+                 (texture ? line(*texture, texels) : ""));
     outputs.commit();
     return 0;
   };

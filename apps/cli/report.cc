@@ -91,6 +91,10 @@ std::string why_missed(const recipe::Recipe& recipe, const files::MeshFile& in,
          (result.attainable.is_higher ? "; --force goes on" : "");
 }
 
+std::string count_of(const Intersections& intersections) {
+  return std::to_string(intersections.pairs.size()) + (intersections.complete ? "" : " or more");
+}
+
 std::string figure(double value) {
   return std::isfinite(value) ? text::significant(value, 6) : "too large";
 }

@@ -36,6 +36,9 @@ std::vector<std::string> missed_because(const recipe::Recipe& recipe, const file
 /// The same as one line, and what would help.
 std::string why_missed(const recipe::Recipe& recipe, const files::MeshFile& in, const recipe::Result& result);
 
+/// How many pairs of faces intersect, as text: "12", or "1000000 or more".
+std::string count_of(const Intersections& intersections);
+
 /// A figure with six digits; in words where it is beyond what a number can be.
 std::string figure(double value);
 

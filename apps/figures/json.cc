@@ -62,6 +62,12 @@ Json to_json(const measure::CertifiedDistance& d, double diagonal) {
           {"pieces", d.pieces}};
 }
 
+Json to_json(const Intersections& i, bool list) {
+  Json out = {{"pairs", i.pairs.size()}, {"all", i.complete}};
+  if (list) out["list"] = i.pairs;
+  return out;
+}
+
 Json to_json(const attributes::TextureError& e, double texels) {
   return {{"rms_texels", e.rms},  {"max_texels", e.max}, {"texels_across", texels},
           {"samples", e.samples}, {"charts", e.charts},  {"charts_left", e.charts_left}};

@@ -71,6 +71,31 @@ TEST_CASE("info tells the attributes of a file, and how many charts its texture 
                                {"charts", 8}}}));
 }
 
+TEST_CASE("info and measure count the faces that intersect, and list them") {
+  const programs::Folder folder;
+  IndexedMesh pierced =
+      meshes::flat_grid(2);  // two faces, and one that goes through the first and touches the second
+  const auto first = static_cast<std::uint32_t>(pierced.points.size());
+  for (const double z : {-1.0, 1.0}) pierced.points.emplace_back(0.75, 0.25, z);
+  pierced.points.emplace_back(0.5, 0.5, 0);
+  pierced.triangles.push_back({first, first + 1, first + 2});
+  files::write_mesh(folder / "pierced.off", pierced);
+  files::write_mesh(folder / "clean.off", meshes::tetrahedron());
+
+  const auto text = programs::run(WHITTLE_PROGRAM, {"info", folder / "pierced.off"});
+  CHECK_THAT(text.out, Contains("intersecting pairs     2\n"));
+  const auto counted = programs::run(WHITTLE_PROGRAM, {"info", folder / "pierced.off", "--json", "-"});
+  CHECK(Json::parse(counted.out)["intersections"] == Json({{"pairs", 2}, {"all", true}}));
+  const auto listed = programs::run(WHITTLE_PROGRAM, {"measure", folder / "clean.off", folder / "pierced.off",
+                                                      "--list-intersections", "--json", "-"});
+  const Json json = Json::parse(listed.out);
+  CHECK(json["original"]["intersections"] == Json({{"pairs", 0}, {"all", true}, {"list", Json::array()}}));
+  CHECK(json["simplified"]["intersections"]["list"] == Json::parse("[[0, 2], [1, 2]]"));
+  const auto table =
+      programs::run(WHITTLE_PROGRAM, {"measure", folder / "clean.off", folder / "pierced.off"});
+  CHECK_THAT(table.out, Contains("intersecting pairs                  0              2\n"));
+}
+
 TEST_CASE("info refuses a file that is no mesh") {
   const programs::Folder folder;
   std::ofstream(folder / "poem.ply") << "the fog comes\n";
