@@ -11,8 +11,8 @@ packages=(
   libclang-rt-14-dev llvm
   # The library: OpenMesh's headers lean on Eigen.
   libopenmesh-dev libeigen3-dev
-  # The programs: command line, JSON, glTF, gzip, distances (the Embree package brings TBB), PNG, vertex-cache order and a peer.
-  libcli11-dev nlohmann-json3-dev libtinygltf-dev zlib1g-dev libembree-dev libpng-dev libmeshoptimizer-dev
+  # The programs: command line, JSON, glTF and its compressions, gzip, distances (the Embree package brings TBB), PNG; meshoptimizer is a peer too.
+  libcli11-dev nlohmann-json3-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev zlib1g-dev libembree-dev libpng-dev
   # Rendering: EGL without a window system, the software renderer, the viewer's window.
   libegl-dev libegl1 libgl1-mesa-dri libepoxy-dev libglfw3-dev libimgui-dev libfreetype-dev
   # A font that can be read; a display for tests, and a mouse on it.

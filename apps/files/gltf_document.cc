@@ -52,11 +52,12 @@ class Filter {
  public:
   Filter(bool keeps_scene, MeshBuilder& builder) : keeps_scene_(keeps_scene), builder_(builder) {}
 
-  bool operator()(int depth, const std::string& key) { return depth == 1 ? enter(key) : is_read(key); }
+  bool operator()(int depth, const std::string& key) { return depth == 1 ? enter(key) : is_read(depth, key); }
 
  private:
   bool enter(const std::string& key) {
     section_ = key;
+    extensions_ = 0;
     for (const Section& section : sections) {
       if (section.key != key) continue;
       if (section.meaning != nullptr && !keeps_scene_) builder_.ignore(section.meaning);
@@ -65,9 +66,13 @@ class Filter {
     return false;
   }
 
-  bool is_read(const std::string& key) {
+  bool is_read(int depth, const std::string& key) {
+    if (section_ == "meshes" && extensions_ > 0 && depth == extensions_ + 1)
+      return key == "KHR_draco_mesh_compression";
+    if (depth <= extensions_) extensions_ = 0;
+    if (section_ == "meshes" && key == "extensions") extensions_ = depth;
     if (section_ == "meshes" && key == "targets" && !keeps_scene_) builder_.ignore("morph targets");
-    if (key == "extensions") return section_ != "meshes" && section_ != "accessors";
+    if (key == "extensions") return section_ != "accessors";
     if (key == "name") return section_ == "nodes" || section_ == "materials" || section_ == "images";
     return key != "extras" && (key != "targets" || keeps_scene_) && key != "weights";
   }
@@ -75,6 +80,7 @@ class Filter {
   bool keeps_scene_;
   MeshBuilder& builder_;
   std::string section_;
+  int extensions_ = 0;  ///< of a mesh or a part: how deep they are
 };
 
 template <typename Wanted>
@@ -107,7 +113,8 @@ bool can_do_without(const std::string& extension) {
   for (const char* beginning : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",
                                 "EXT_lights_", "KHR_xmp", "MSFT_lod"})
     if (extension.rfind(beginning, 0) == 0) return true;
-  return extension == "KHR_mesh_quantization" || extension == "EXT_meshopt_compression";
+  return extension == "KHR_mesh_quantization" || extension == "EXT_meshopt_compression" ||
+         extension == "KHR_draco_mesh_compression";
 }
 
 void check_extensions(const Json& json) {
@@ -170,6 +177,7 @@ Json whole_gltf(std::string_view text) {
     if (extensions->empty()) buffer.erase(extensions);
   }
   take_packed_views(json, json["buffers"].size());
+  erase_draco(json);
   return json;
 }
 
@@ -180,6 +188,7 @@ GltfDocument parse_gltf(std::string_view text, bool keeps_scene, MeshBuilder& bu
   GltfDocument document;
   document.buffers = read_buffers(json);
   document.packed = take_packed_views(json, document.buffers.size());
+  document.draco = take_draco_parts(json);
   document.instances = read_gltf_nodes(json, keeps_scene, builder);
   for (const char* key : {"materials", "textures", "images"})
     document.looks[key] = std::move(gltf_objects(json, key));

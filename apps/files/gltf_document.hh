@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "files/MeshBuilder.hh"
+#include "files/gltf_draco.hh"
 #include "files/gltf_meshopt.hh"
 
 namespace whittle::files {
@@ -33,6 +34,7 @@ struct GltfDocument {
   std::string json;  ///< accessors, views and meshes, for tinygltf
   std::vector<GltfBuffer> buffers;
   std::vector<PackedView> packed;       ///< they become one more buffer
+  std::vector<DracoPart> draco;         ///< they get their accessors when they are unpacked
   std::vector<GltfInstance> instances;  ///< of the scene, in the order of its nodes; kept: of all nodes
   nlohmann::json looks;                 ///< materials, textures and images
 };

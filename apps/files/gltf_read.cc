@@ -2,6 +2,7 @@
 /// glTF 2.0: reading, from the binary container or from JSON with its data inside or beside it.
 #include <tiny_gltf.h>
 
+#include <deque>
 #include <limits>
 
 #include "files/Fault.hh"
@@ -79,11 +80,8 @@ class Buffers {
 
   const std::vector<std::string_view>& views() const { return views_; }
 
-  /// Adds one more. \pre at most once
-  void add(std::string bytes) {
-    added_ = std::move(bytes);
-    views_.emplace_back(added_);
-  }
+  /// Adds one more.
+  void add(std::string bytes) { views_.emplace_back(added_.emplace_back(std::move(bytes))); }
 
   std::size_t size() const {
     std::size_t bytes = 0;
@@ -93,7 +91,7 @@ class Buffers {
 
  private:
   std::vector<std::string> decoded_;
-  std::string added_;
+  std::deque<std::string> added_;  // none of which moves
   std::vector<std::string_view> views_;
 };
 
@@ -147,11 +145,15 @@ void read_kept(const GltfDocument& document, const tinygltf::Model& model, GltfD
 void read_document(std::string_view json, std::string_view binary, const ReadOptions& options,
                    const std::filesystem::path& path, MeshFile& file, MeshBuilder& builder) {
   const GltfDocument document = parse_gltf(json, options.keep_scene, builder);
-  const tinygltf::Model model = parse_model(document.json);
+  tinygltf::Model model = parse_model(document.json);
   Buffers buffers(document.buffers, binary, path);
-  const std::size_t file_bytes = json.size() + buffers.size();
+  std::size_t file_bytes = json.size() + buffers.size();
   if (!document.packed.empty())
     buffers.add(unpacked(document.packed, buffers.views(), GltfData::most_bytes(file_bytes)));
+  if (std::string bytes = unpack_draco(document.draco, model, buffers.views(), file_bytes); !bytes.empty()) {
+    file_bytes += bytes.size() / 8;  // such files are small for what they hold
+    buffers.add(std::move(bytes));
+  }
   GltfData data(model, buffers.views(), file_bytes);
   if (!options.keep_scene) return read_flat(document, model, data, path, file, builder);
   auto kept = std::make_shared<Scene>();

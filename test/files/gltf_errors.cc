@@ -104,8 +104,8 @@ TEST_CASE("glTF: unknown versions and required extensions are refused") {
   CHECK(error_of([](Json& j) { j["asset"]["version"] = "1.0"; }) ==
         "a.gltf: glTF version '1.0' is not supported");
   CHECK(error_of([](Json& j) { j.erase("asset"); }) == "a.gltf: not glTF: it does not say its version");
-  CHECK(error_of([](Json& j) { j["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }) ==
-        "a.gltf: it needs the extension 'KHR_draco_mesh_compression', which is not supported");
+  CHECK(error_of([](Json& j) { j["extensionsRequired"] = {"KHR_gaussian_splatting"}; }) ==
+        "a.gltf: it needs the extension 'KHR_gaussian_splatting', which is not supported");
   CHECK(error_of([](Json& j) { j["extensionsRequired"] = {"KHR_materials_unlit"}; }).empty());
   CHECK(error_of([](Json& j) { j["extensionsRequired"] = 1; }) ==
         "a.gltf: its JSON is damaged: 'extensionsRequired' is no list");

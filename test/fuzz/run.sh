@@ -2,7 +2,7 @@
 # Builds the fuzz targets with clang and runs each for some time, one after the other.
 #   test/fuzz/run.sh [SECONDS] [TARGET ...]
 # SECONDS  for each target, by the clock; 60 without. The table says how much of that the processor was at it
-# TARGET   a reader, obj off ply stl om glb gltf three_mf; gzip, what unpacks it; polygons, what cuts them; soup, all planners and executors on any triangles; seams, modules that move
+# TARGET   a reader, obj off ply stl om glb gltf three_mf; draco and gzip, what unpacks them; polygons, what cuts them; soup, all planners and executors on any triangles; seams, modules that move
 #          seams on sound meshes with any charts; all without
 # What the runs find interesting stays in build/fuzz/corpus, and they begin with it and with test/fuzz/corpus.
 # An input that fails is left in build/fuzz/failures, and the exit status is 1.
@@ -12,7 +12,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 seconds=${1:-60}
 shift || true
 formats=("$@")
-((${#formats[@]})) || formats=(obj off ply stl om glb gltf three_mf gzip polygons soup seams)
+((${#formats[@]})) || formats=(obj off ply stl om glb gltf three_mf draco gzip polygons soup seams)
 
 build=build/fuzz
 mkdir -p "$build"
