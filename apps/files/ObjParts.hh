@@ -10,29 +10,30 @@
 #include <utility>
 
 #include "files/Parts.hh"
-#include "files/TextReader.hh"
 
 namespace whittle::files {
 
 /// Follows these statements. Faces under the same four are one part, wherever they stand in the file.
 class ObjParts {
  public:
-  /// \return false if the statement is another one
-  bool take(std::string_view keyword, TextReader& in) {
+  /// \param rest  gives what stands behind the keyword; called if the statement is one of these
+  /// \return false if it is another one
+  template <typename Rest>
+  bool take(std::string_view keyword, Rest rest) {
     if (keyword == "mtllib") {
-      if (const std::string_view name = in.rest_of_line(); !name.empty())
+      if (const std::string_view name = rest(); !name.empty())
         parts_.libraries.push_back({std::string(name), {}});
       return true;
     }
     parts_.in_libraries = true;
     if (keyword == "usemtl")
-      now_.material = material(std::string(in.rest_of_line()));
+      now_.material = material(std::string(rest()));
     else if (keyword == "o")
-      now_.object = in.rest_of_line();
+      now_.object = rest();
     else if (keyword == "g")
-      now_.group = in.rest_of_line();
+      now_.group = rest();
     else if (keyword == "s")
-      now_.smoothing = in.rest_of_line();
+      now_.smoothing = rest();
     else
       return false;
     part_ = Part::none;

@@ -8,6 +8,7 @@
 #include "files/ObjColours.hh"
 #include "files/ObjIndices.hh"
 #include "files/ObjParts.hh"
+#include "files/ObjPieces.hh"
 #include "files/TextReader.hh"
 #include "files/formats.hh"
 #include "files/obj_statements.hh"
@@ -25,13 +26,51 @@ constexpr TextReader::Syntax obj_syntax{'#', true};
 class ObjReader {
  public:
   ObjReader(std::string_view bytes, const ReadOptions& options, std::size_t& line)
-      : in_(bytes, line, obj_syntax),
+      : bytes_(bytes),
+        in_(bytes, line, obj_syntax),
         line_(line),
         builder_(file_, options),
         fixes_(options.repair == Repair::fix) {}
 
   MeshFile read() {
     file_.report.format = "OBJ";
+    const bool in_pieces = read_pieces();
+    if (!in_pieces) read_lines();
+    add_colours();
+    add_at_corners(texture_, texture_of_, texture_indices_);
+    add_at_corners(normals_, normal_of_, normal_indices_);
+    file_.parts = parts_.take_parts();
+    if (!in_pieces) {
+      drop_faces_without_vertices(file_);
+      drop_degenerate_faces(file_);
+    }
+    settle(file_);
+    return std::move(file_);
+  }
+
+ private:
+  /// On several threads, if the file is as most are.
+  bool read_pieces() {
+    ObjLists lists;
+    if (!read_obj_in_pieces(bytes_, lists)) return false;
+    file_.mesh.points = std::move(lists.points);
+    file_.mesh.triangles = std::move(lists.triangles);
+    file_.report.dropped_degenerate = lists.faces - file_.mesh.triangles.size();
+    texture_.values = std::move(lists.texture);
+    normals_.values = std::move(lists.normals);
+    texture_of_.triangles = std::move(lists.texture_of);
+    normal_of_.triangles = std::move(lists.normal_of);
+    std::size_t faces = 0;
+    for (const ObjLists::Statement& statement : lists.statements) {
+      if (statement.faces > faces) parts_.add_faces(statement.triangles);
+      faces = statement.faces;
+      parts_.take(statement.keyword, [&] { return statement.rest; });
+    }
+    if (lists.faces > faces && !lists.statements.empty()) parts_.add_faces(file_.mesh.triangles.size());
+    return true;
+  }
+
+  void read_lines() {
     while (in_.next_line()) {
       const std::string_view keyword = in_.word();
       if (keyword == "v")
@@ -42,22 +81,13 @@ class ObjReader {
         read_texture();
       else if (keyword == "vn")
         read_normal();
-      else if (!parts_.take(keyword, in_))
+      else if (!parts_.take(keyword, [&] { return in_.rest_of_line(); }))
         builder_.ignore(unread_statement(keyword));
     }
     if (!fixes_) vertex_indices_.check(file_.mesh.points.size(), line_);
     builder_.cut_late({&texture_of_, &normal_of_});
-    add_colours();
-    add_at_corners(texture_, texture_of_, texture_indices_);
-    add_at_corners(normals_, normal_of_, normal_indices_);
-    file_.parts = parts_.take_parts();
-    drop_faces_without_vertices(file_);
-    drop_degenerate_faces(file_);
-    settle(file_);
-    return std::move(file_);
   }
 
- private:
   void read_vertex() {
     const double x = in_.real<double>();
     const double y = in_.real<double>();
@@ -154,6 +184,7 @@ class ObjReader {
     return attribute;
   }
 
+  std::string_view bytes_;
   TextReader in_;
   std::size_t& line_;
   MeshFile file_;
