@@ -156,6 +156,18 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
       "--copy-materials", options.copy_materials,
       "Copy libraries of materials and images that are files beside the result, instead of referring to "
       "them where they are");
+  command
+      .add_flag("--quantize{16}", options.quantize,
+                "glTF: round coordinates to 16 bits, or to --quantize=BITS from 8 to 16, of the largest "
+                "extent of each "
+                "mesh; normals to 8, texture coordinates to 16 (KHR_mesh_quantization)")
+      ->check(CLI::Range(8, 16));
+  command
+      .add_option("--compress", options.compress,
+                  "glTF: pack vertices and triangles, in an order that caches like, by meshopt "
+                  "(EXT_meshopt_compression)")
+      ->type_name("HOW")
+      ->check(CLI::IsMember({"meshopt"}));
   command.add_flag_function(
       "--refit,!--no-refit", [&options](std::int64_t given) { options.refit = given > 0; },
       "At the end move the vertices to where the faces lie closest to the input, or do not. "
@@ -181,6 +193,17 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
           },
           ""))
       ->type_name("UNITS");
+}
+
+void set_packing(const RecipeOptions& options, const std::vector<std::string>& outs,
+                 files::WriteOptions& format) {
+  format.quantize = options.quantize;
+  format.meshopt = options.compress == "meshopt";
+  if (format.quantize == 0 && !format.meshopt) return;
+  for (const std::string& out : outs)
+    if (!files::holds_scenes(out, format))
+      throw recipe::RecipeError(std::string(format.meshopt ? "--compress" : "--quantize") +
+                                " is for glTF: " + out + " is another format");
 }
 
 recipe::Recipe make_recipe(const RecipeOptions& options) {

@@ -24,6 +24,8 @@ struct RecipeOptions {
   std::string max_distance, weights, driver = "auto", repair = "report", pieces = "keep";
   bool force = false, copy_materials = false, flatten = false, each_mesh = false;
   std::optional<bool> refit;
+  int quantize = 0;      ///< bits; 0: floats
+  std::string compress;  ///< "meshopt", or nothing
 };
 
 /// Adds all of them; `with_target` leaves out or adds --ratio, --faces and --vertices.
@@ -31,6 +33,12 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
 
 /// \throw recipe::RecipeError
 recipe::Recipe make_recipe(const RecipeOptions& options);
+
+/// What the options say of how glTF files are packed.
+/// \param outs  the files that will be written
+/// \throw recipe::RecipeError  one of them is no glTF
+void set_packing(const RecipeOptions& options, const std::vector<std::string>& outs,
+                 files::WriteOptions& format);
 
 /// The files that the options name.
 std::vector<std::string> selection_files(const RecipeOptions& options);

@@ -77,6 +77,8 @@ std::vector<std::string> simplify_arguments(const Options& options) {
   if (options.each_mesh) out.emplace_back("--each-mesh");
   if (options.flatten) out.emplace_back("--flatten");
   if (options.copy_materials) out.emplace_back("--copy-materials");
+  if (options.quantize > 0) out.push_back("--quantize=" + std::to_string(options.quantize));
+  add("--compress", options.compress);
   if (options.ascii) out.emplace_back("--ascii");
   return out;
 }

@@ -165,6 +165,8 @@ files::Parts parts_of(const files::MeshFile& in, const Level& level) {
 /// \return what the formats could not take.
 files::WriteReport write(const Options& options, const files::MeshFile& in, std::vector<Level>& levels,
                          files::Outputs& outputs) {
+  files::WriteOptions format;
+  set_packing(options, {options.out}, format);
   if (is_glb(options.out)) {
     std::vector<files::Level> all{{in.mesh, in.attributes, in.parts, 0}};
     for (Level& level : levels) {
@@ -172,11 +174,10 @@ files::WriteReport write(const Options& options, const files::MeshFile& in, std:
           {level.result.mesh, level.result.attributes, parts_of(in, level), level.distance.two_sided.max});
       level.file = options.out;
     }
-    files::Encoded one = files::encode_glb_levels(options.out, all);
+    files::Encoded one = files::encode_glb_levels(options.out, all, format);
     outputs.write("--out", std::move(one.bytes));
     return std::move(one.report);
   }
-  files::WriteOptions format;
   format.ascii = options.ascii;
   format.single_precision = in.single_precision;
   format.texture_at_vertices = in.texture_at_vertices;
@@ -199,6 +200,8 @@ files::WriteReport write(const Options& options, const files::MeshFile& in, std:
 int lods(Options options) {
   if (options.out.empty()) options.out = default_out(options.in);
   recipe_for(options, 1);  // what is wrong with it is wrong before anything is read
+  files::WriteOptions format;
+  set_packing(options, {options.out}, format);
   files::Outputs outputs;
   add_files(options, outputs);
   files::MeshFile in = files::read_mesh(options.in, read_options(options));

@@ -257,6 +257,7 @@ int simplify(const Options& options) {
   format.ascii = options.ascii;
   format.format = options.format;
   files::check_writable(options.out, format);
+  set_packing(options, {options.out}, format);
   files::Outputs outputs;
   outputs.reads("IN", options.in);
   read_selections(options, outputs);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "files/Choice.hh"
 #include "files/Fault.hh"
@@ -130,7 +131,8 @@ std::size_t GltfOutput::add_indices(const std::vector<std::uint32_t>& indices, s
 }
 
 /// Numbers that are still free: those at the end go, the others name a little of nothing.
-void GltfOutput::finish() {
+std::string& GltfOutput::finish() {
+  if (std::exchange(is_finished_, true)) return buffer_;
   const auto drop_last = [](Json& list, std::vector<std::size_t>& free) {
     std::sort(free.begin(), free.end());
     while (!free.empty() && free.back() + 1 == list.size()) {
@@ -156,6 +158,7 @@ void GltfOutput::finish() {
   else
     json_["buffers"] = Json::array({Json::object()});
   if (!buffer_.empty()) json_["buffers"][0]["byteLength"] = buffer_.size();
+  return buffer_;
 }
 
 std::string GltfOutput::glb() {

@@ -42,6 +42,9 @@ class GltfOutput {
   std::size_t add_indices(const std::vector<std::uint32_t>& indices, std::size_t vertices);
   /// \}
 
+  /// Ends the document: nothing can be added any more. \return its data, which may be packed now
+  std::string& finish();
+
   /// The document as a GLB; nothing can be added any more. \throw Fault  more than 4 GiB
   std::string glb();
 
@@ -51,10 +54,9 @@ class GltfOutput {
  private:
   std::size_t add_accessor(std::size_t view, int component_type, std::size_t components, std::size_t count);
   std::size_t put(const char* list, std::vector<std::size_t>& free, Json object);
-  void finish();
-
   Json json_;
   std::string buffer_;
+  bool is_finished_ = false;
   std::vector<std::size_t> free_accessors_, free_views_;  // descending: the next one is the last
 };
 

@@ -133,6 +133,10 @@ struct WriteOptions {
   bool texture_at_vertices = false;
   /// Libraries of materials and images that are files: copied beside the result, instead of referred to where they are
   bool copy_materials = false;
+  /// glTF: bits of a coordinate where positions, normals and texture coordinates are rounded, KHR_mesh_quantization, 8 to 16;
+  /// 0: 32-bit floats
+  int quantize = 0;
+  bool meshopt = false;  ///< glTF: packed by EXT_meshopt_compression
 };
 
 /// Takes away what the file will not hold, before it constrains anything: attributes of a kind that the format does not
@@ -225,7 +229,8 @@ struct Level {
 };
 
 /// The bytes that write_glb_levels would write.
-Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels);
+Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels,
+                          const WriteOptions& options = {});
 
 /// Writes levels of detail into one GLB with the extension MSFT_lod, the finest first. read_mesh reads the
 /// first and notes the others.

@@ -97,6 +97,9 @@ GltfOutput gltf_of(const std::vector<LevelView>& levels, WriteReport& report);
 
 /// The document as the bytes of a GLB, or of a .gltf and its data beside it.
 /// \param path  of the file
-void encode_gltf(GltfOutput& document, const std::filesystem::path& path, Format format, Encoded& out);
+/// \param options  how it is packed
+/// \param is_own   the document is of this program: its nodes may be changed
+void encode_gltf(GltfOutput& document, const std::filesystem::path& path, Format format,
+                 const WriteOptions& options, bool is_own, Encoded& out);
 
 }  // namespace whittle::files

@@ -6,6 +6,7 @@
 #include "files/Fault.hh"
 #include "files/GltfWriter.hh"
 #include "files/formats.hh"
+#include "files/gltf_pack.hh"
 
 namespace whittle::files {
 namespace {
@@ -62,7 +63,9 @@ GltfOutput gltf_of(const std::vector<LevelView>& levels, WriteReport& report) {
   return std::move(writer.output());
 }
 
-void encode_gltf(GltfOutput& document, const std::filesystem::path& path, Format format, Encoded& out) {
+void encode_gltf(GltfOutput& document, const std::filesystem::path& path, Format format,
+                 const WriteOptions& options, bool is_own, Encoded& out) {
+  pack_gltf(document, options, is_own, out.report);
   if (format != Format::gltf) {
     out.bytes = document.glb();
     return;

@@ -259,7 +259,7 @@ Encoded encode_scene(const fs::path& path, const MeshFile& in, const SceneResult
       SceneWriter writer(in, result, out.report);
       writer.run();
       carry_images(*in.scene, path, format == Format::glb, writer.output(), out);
-      encode_gltf(writer.output(), path, format, out);
+      encode_gltf(writer.output(), path, format, options, false, out);
     } catch (const Json::exception&) {
       throw Fault("not written: the JSON of the input is damaged; --flatten writes its triangles alone");
     }

@@ -200,7 +200,7 @@ void encode_as(const std::filesystem::path& path, const IndexedMesh& mesh,
       break;
     default:
       GltfOutput document = gltf_of({{&mesh, &attributes, &parts, 0}}, report);
-      encode_gltf(document, path, format, out);
+      encode_gltf(document, path, format, options, true, out);
   }
 }
 
@@ -261,7 +261,8 @@ WriteReport write_mesh(const std::filesystem::path& path, const IndexedMesh& mes
   return encoded.report;
 }
 
-Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels) {
+Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels,
+                          const WriteOptions& options) {
   return naming(path, [&] {
     Encoded encoded;
     std::vector<attributes::Attributes> finite;
@@ -274,7 +275,7 @@ Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<L
       views.push_back({&level.mesh, &finite.back(), &level.parts, level.error});
     }
     GltfOutput document = gltf_of(views, encoded.report);
-    encode_gltf(document, path, Format::glb, encoded);
+    encode_gltf(document, path, Format::glb, options, true, encoded);
     if (is_gzip_name(path)) encoded.bytes = gzipped(encoded.bytes);
     return encoded;
   });
