@@ -141,6 +141,9 @@ Json describe(const Options& options, const std::vector<batch::Item>& items,
 
 int run_batch(const Options& options) {
   make_recipe(options);  // what is wrong with it is wrong before anything is begun
+  files::WriteOptions format;
+  format.format = options.format;
+  if (!options.format.empty()) set_packing(options, {"--format " + options.format}, format);
   batch::Order order;
   files::Outputs outputs;
   outputs.add("--json", options.json);

@@ -1,6 +1,7 @@
 /// \file
 /// `whittle`: simplify meshes, one or many, measure the error, and describe a file.
 #include <fcntl.h>
+#include <malloc.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -27,6 +28,16 @@ void fill_standard_descriptors() {
     if (fcntl(descriptor, F_GETFD) < 0) open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+/// Memory that is given back is kept for what comes next: a large array that is mapped anew each time takes the system
+/// longer to clear than most passes over it.
+void keep_memory() {
+#ifdef __GLIBC__
+  constexpr int most = 32 << 20;  // that the library takes
+  mallopt(M_MMAP_THRESHOLD, most);
+  mallopt(M_TRIM_THRESHOLD, most);
+#endif
+}
+
 int refuse(const std::string& message) {
   whittle::cli::complain(message);
   return kBadUsage;
@@ -37,6 +48,7 @@ int refuse(const std::string& message) {
 int main(int argc, char** argv) {
   namespace cli = whittle::cli;
   fill_standard_descriptors();
+  keep_memory();
   signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of writing, after which no half of a file stays
   try {
     CLI::App app("Simplifies triangle meshes (OBJ, PLY, OFF, STL, OM, 3MF, GLB).", "whittle");

@@ -2,6 +2,7 @@
 /// Finding equal things among many.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -40,6 +41,13 @@ class IndexTable {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
+  /// Makes room for so many things.
+  void reserve(std::size_t things) {
+    std::size_t slots = std::max<std::size_t>(1024, slots_.size());
+    while (slots < 2 * (things + 1)) slots *= 2;
+    if (slots > slots_.size()) grow_to(slots);
+  }
+
   /// The index of what is equal, or `none`.
   template <typename Equal>
   std::uint32_t find(Hash hash, Equal equal) const {
@@ -75,8 +83,10 @@ class IndexTable {
     return at;
   }
 
-  void grow() {
-    std::vector<Slot> old(slots_.empty() ? 1024 : 2 * slots_.size());
+  void grow() { grow_to(slots_.empty() ? 1024 : 2 * slots_.size()); }
+
+  void grow_to(std::size_t size) {
+    std::vector<Slot> old(size);
     old.swap(slots_);
     for (const Slot& slot : old)
       if (slot.index != none) slots_[slot_of(slot.hash, [](std::uint32_t) { return false; })] = slot;

@@ -84,10 +84,12 @@ std::size_t count_apart(const IndexedMesh& mesh, const std::vector<std::uint32_t
 
 }  // namespace
 
-void join(MeshFile& file, const JoinOptions& options) {
+void join(MeshFile& file, const JoinOptions& options, std::vector<std::uint32_t> place) {
   check_weld(file.mesh, options.weld);
-  const std::vector<std::uint32_t> place =
-      options.weld > 0 ? near_places(file.mesh.points, options.weld) : equal_places(file.mesh.points);
+  if (options.weld > 0)
+    place = near_places(file.mesh.points, options.weld);
+  else if (place.empty())
+    place = equal_places(file.mesh.points);
   if (!names_another(place) || file.mesh.triangles.empty()) return;
   const Joined joined = pair_and_join(file.mesh, place, options);
   file.report.vertices_apart = count_apart(file.mesh, place, joined.root);

@@ -2,6 +2,9 @@
 /// Vertices at one place, which files have along seams and creases, become one.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "files/MeshFile.hh"
 
 namespace whittle::files {
@@ -23,6 +26,7 @@ struct JoinOptions {
 /// face two of whose corners become one is left out.
 /// \throw Fault  a weld that is negative, not finite, or more than 1 % of the bounding box's diagonal
 /// \pre every index is in range
-void join(MeshFile& file, const JoinOptions& options);
+/// \param place  for each vertex the first at its place, where that has been looked for already; else none
+void join(MeshFile& file, const JoinOptions& options, std::vector<std::uint32_t> place = {});
 
 }  // namespace whittle::files

@@ -58,6 +58,7 @@ class Grid {
 
 std::vector<std::uint32_t> equal_places(const std::vector<Point>& points) {
   IndexTable table;
+  table.reserve(points.size());
   std::vector<std::uint32_t> place(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i)
     place[i] = points[i].allFinite()

@@ -14,7 +14,9 @@
 #include "files/gzip.hh"
 #include "files/join.hh"
 #include "files/mtl.hh"
+#include "files/places.hh"
 #include "files/repair.hh"
+#include "whittle/surface/threads.hh"
 
 namespace whittle::files {
 namespace {
@@ -117,6 +119,17 @@ MeshFile read_named(const std::filesystem::path& path, const ReadOptions& option
   return file;
 }
 
+/// The sides of the faces and the places of the vertices, on two threads.
+void look_ahead(const IndexedMesh& mesh, Sides& sides, std::vector<std::uint32_t>& place) {
+  detail::Crew crew(detail::thread_count(0) > 1 && mesh.triangles.size() > 1000 ? 2 : 1);
+  crew.each(2, [&](std::size_t i) {
+    if (i == 0)
+      sides = measure::sides_by_edge(mesh.triangles, mesh.points.size());
+    else
+      place = equal_places(mesh.points);
+  });
+}
+
 /// Runs an action and turns what it throws into a FileError that names the file and, if it is text, the line.
 template <typename Action>
 auto naming_input(const std::filesystem::path& path, const std::size_t& line, Action action) {
@@ -143,10 +156,16 @@ MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options
   const bool is_stl = format == Format::stl, is_gltf = format == Format::glb || format == Format::gltf;
   const bool joins =
       options.weld != 0 || is_stl || is_gltf || (options.repair != Repair::none && format != Format::om);
-  if (joins) join(file, {options.weld, options.repair == Repair::fix, is_stl});
+  // Where no two vertices are at one place, which most files that name their vertices have not, both are done at once.
+  const bool at_once = joins && options.weld == 0 && options.repair == Repair::report && !is_stl && !is_gltf;
+  Sides sides;
+  std::vector<std::uint32_t> place;
+  if (at_once) look_ahead(file.mesh, sides, place);
+  if (joins) join(file, {options.weld, options.repair == Repair::fix, is_stl}, std::move(place));
+  if (file.report.merged_vertices > 0) sides.clear();
   if (is_stl) file.vertex_of.clear();
   if (is_gltf) file.texture_at_vertices = false;  // glTF has no other way, so it says nothing about PLY
-  repair(file, options.repair);
+  repair(file, options.repair, std::move(sides));
   return file;
 }
 

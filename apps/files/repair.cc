@@ -5,6 +5,7 @@
 #include "files/manifold.hh"
 #include "files/settle.hh"
 #include "files/subset.hh"
+#include "whittle/surface/threads.hh"
 
 namespace whittle::files {
 namespace {
@@ -75,15 +76,20 @@ void fix(MeshFile& file) {
 
 }  // namespace
 
-void repair(MeshFile& file, Repair mode) {
+void repair(MeshFile& file, Repair mode, Sides sides) {
   file.report.repair = mode;
   if (mode == Repair::fix) fix(file);
   if (mode != Repair::report) return;
-  const std::vector<measure::Side> sides = sides_of(file.mesh);
-  const std::vector<bool> distinct = mark_distinct(file.mesh, sides);
-  file.report.duplicate_faces = static_cast<std::size_t>(std::count(distinct.begin(), distinct.end(), false));
-  count(file, sides);
-  count_lone(file, sides);
+  if (sides.empty()) sides = sides_of(file.mesh);
+  // Each looks at the same sides for something else.
+  detail::Crew crew(detail::thread_count(0) > 1 && file.mesh.triangles.size() > 1000 ? 2 : 1);
+  crew.each(2, [&](std::size_t i) {
+    if (i == 0) return count(file, sides);
+    const std::vector<bool> distinct = mark_distinct(file.mesh, sides);
+    file.report.duplicate_faces =
+        static_cast<std::size_t>(std::count(distinct.begin(), distinct.end(), false));
+    count_lone(file, sides);
+  });
 }
 
 }  // namespace whittle::files

@@ -104,9 +104,40 @@ TargetCount count_of(const Target& target, const IndexedMesh& mesh) {
   return count;
 }
 
+void check_triangles(const IndexedMesh& mesh) {
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= mesh.points.size())
+        throw InvalidMesh("a triangle names vertex " + std::to_string(v) + " of " +
+                          std::to_string(mesh.points.size()));
+}
+
+/// Each edge counts once, whatever number of faces it has.
+double mean_edge(const IndexedMesh& mesh) {
+  double sum = 0;
+  std::size_t edges = 0;
+  const auto sides = measure::sides_by_edge(mesh.triangles, mesh.points.size(), measure::Faces::proper);
+  measure::for_each_edge(sides, [&](const measure::Side* side, const measure::Side*) {
+    sum += (mesh.points[side->low] - mesh.points[side->high]).norm();
+    ++edges;
+  });
+  return edges > 0 ? sum / static_cast<double>(edges) : 0;
+}
+
+double diagonal(const IndexedMesh& mesh) {
+  if (mesh.points.empty()) return 0;
+  Eigen::Vector3d low = mesh.points[0], high = low;
+  for (const auto& p : mesh.points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).norm();
+}
+
 Task make_task(const IndexedMesh& mesh, const Recipe& recipe, const Monitor& monitor, const Givens& givens) {
   check(recipe);
-  Scale scale = measure_scale(mesh);
+  check_triangles(mesh);
+  Scale scale{LateLength([&mesh] { return mean_edge(mesh); }), diagonal(mesh)};  // the task has the mesh, too
   if (givens.diagonal > 0) scale.diagonal = givens.diagonal;
   return {mesh,           stages_of(recipe),
           scale,          count_of(recipe.target, mesh),
@@ -169,23 +200,6 @@ void retriangulate_result(const IndexedMesh& input, const Recipe& recipe, std::o
   result.face_origin.clear();
 }
 
-/// Each edge counts once, whatever number of faces it has.
-double mean_edge(const IndexedMesh& mesh) {
-  for (const auto& t : mesh.triangles)
-    for (const std::uint32_t v : t)
-      if (v >= mesh.points.size())
-        throw InvalidMesh("a triangle names vertex " + std::to_string(v) + " of " +
-                          std::to_string(mesh.points.size()));
-  double sum = 0;
-  std::size_t edges = 0;
-  const auto sides = measure::sides_by_edge(mesh.triangles, mesh.points.size(), measure::Faces::proper);
-  measure::for_each_edge(sides, [&](const measure::Side* side, const measure::Side*) {
-    sum += (mesh.points[side->low] - mesh.points[side->high]).norm();
-    ++edges;
-  });
-  return edges > 0 ? sum / static_cast<double>(edges) : 0;
-}
-
 /// \throw RecipeError  a stage that cannot run.
 void check_stage(const Stage& stage, bool has_end) {
   const Module& module = find_module(stage.module.name);
@@ -241,17 +255,8 @@ PieceRule parse_pieces(const std::string& text) {
 }
 
 Scale measure_scale(const IndexedMesh& mesh) {
-  Scale scale;
-  scale.mean_edge = mean_edge(mesh);
-  if (!mesh.points.empty()) {
-    Eigen::Vector3d low = mesh.points[0], high = low;
-    for (const auto& p : mesh.points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    scale.diagonal = (high - low).norm();
-  }
-  return scale;
+  check_triangles(mesh);
+  return {mean_edge(mesh), diagonal(mesh)};
 }
 
 void check(const Recipe& recipe) {

@@ -2,6 +2,9 @@
 /// The text form of a module with its parameters: `name[:key=value,...]`.
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,9 +20,32 @@ class RecipeError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A length that is measured when it is asked for first, as that takes as long as a good part of a decimation.
+class LateLength {
+ public:
+  LateLength(double length = 0) : length_(length) {}
+  explicit LateLength(std::function<double()> measure) : late_(std::make_shared<Late>()) {
+    late_->measure = std::move(measure);
+  }
+  operator double() const {
+    if (!late_) return length_;
+    std::call_once(late_->once, [this] { late_->length = late_->measure(); });
+    return late_->length;
+  }
+
+ private:
+  struct Late {
+    std::once_flag once;
+    std::function<double()> measure;
+    double length = 0;
+  };
+  double length_ = 0;
+  std::shared_ptr<Late> late_;
+};
+
 /// The sizes that relative lengths refer to, in model units.
 struct Scale {
-  double mean_edge = 0;
+  LateLength mean_edge;
   double diagonal = 0;  ///< of the bounding box
 };
 
