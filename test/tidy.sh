@@ -37,4 +37,5 @@ look_at() {
   fi
 }
 export -f look_at
+export GLIBC_TUNABLES=glibc.malloc.hugetlb=1  # as the presets for clang have it
 printf '%s\0' test/headers/everything.cc "${touched[@]:0:most}" | xargs -0 -n 1 -P "$(nproc)" bash -c 'look_at "$1"' bash

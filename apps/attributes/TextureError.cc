@@ -13,6 +13,7 @@
 #include "measure/Surface.hh"
 #include "measure/blocks.hh"
 #include "measure/triangle.hh"
+#include "whittle/surface/Lists.hh"
 #include "whittle/surface/charts.hh"
 #include "whittle/surface/errors.hh"
 
@@ -97,6 +98,27 @@ class Cells {
   double size_;
 };
 
+/// Of each face of the simplified mesh those of its chart that share a vertex with it but not the vertex's value: they are
+/// on the other side of a slit, such as where a texture goes once around.
+std::vector<std::vector<std::uint32_t>> across_slits(const IndexedMesh& mesh, const Attribute& texture,
+                                                     const std::vector<std::uint32_t>& chart) {
+  std::vector<std::vector<std::uint32_t>> out(mesh.triangles.size());
+  if (texture.per_vertex()) return out;
+  const detail::Lists corners = detail::Lists::of_corners(mesh.triangles, mesh.points.size());
+  for (std::uint32_t f = 0; f < out.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [first, last] = corners.of(mesh.triangles[f][k]);
+      const Eigen::Vector2d own = place(texture, texture.at(mesh, f, k));
+      for (const std::uint32_t* c = first; c != last; ++c)
+        if (chart[*c / 3] == chart[f] && place(texture, texture.at(mesh, *c / 3, *c % 3)) != own)
+          out[f].push_back(*c / 3);
+    }
+    std::sort(out[f].begin(), out[f].end());
+    out[f].erase(std::unique(out[f].begin(), out[f].end()), out[f].end());
+  }
+  return out;
+}
+
 struct Sums {
   double squared = 0, max_squared = 0;
   std::size_t samples = 0;
@@ -134,19 +156,29 @@ TextureError texture_error(const IndexedMesh& original, const Attribute& before,
   const measure::Surface from(original), to(apart);
   const measure::ClosestFace closest(to, threads);
 
+  const auto across = across_slits(simplified, after, chart_after);
+
+  // A slit runs elsewhere now, and where the nearest place is on its other side, the nearest one on this side is meant.
   const auto distance = [&](std::size_t i) {
     const Eigen::Vector3d p = from.sample(i, options.samples);
     const std::size_t face = from.sampled_face(i, options.samples);
     const std::uint32_t f = from.index(face), chart = all.of_face[f];
     if (!is_left[chart]) return -1.0;
-    const auto nearest = closest.closest(p + cells.offset(chart));
-    const measure::Corners corners = to.face(nearest.face);
-    const Eigen::Vector3d q = measure::closest_point(p + cells.offset(chart), corners);
-    const auto was = measure::shares(from.face(face), p), is = measure::shares(corners, q);
-    const auto at = places(original, before, f), now = places(simplified, after, to.index(nearest.face));
-    Eigen::Vector2d difference = Eigen::Vector2d::Zero();
-    for (std::size_t k = 0; k < 3; ++k) difference += is[k] * now[k] - was[k] * at[k];
-    return difference.cwiseProduct(texels).squaredNorm();
+    const Eigen::Vector3d in_cell = p + cells.offset(chart);
+    const auto was = measure::shares(from.face(face), p);
+    const auto at = places(original, before, f);
+    const Eigen::Vector2d there = was[0] * at[0] + was[1] * at[1] + was[2] * at[2];
+    const auto squared_at = [&](std::uint32_t g) {
+      const measure::Corners corners = measure::corners(apart, apart.triangles[g]);
+      const auto is = measure::shares(corners, measure::closest_point(in_cell, corners));
+      const auto now = places(simplified, after, g);
+      const Eigen::Vector2d here = is[0] * now[0] + is[1] * now[1] + is[2] * now[2];
+      return (here - there).cwiseProduct(texels).squaredNorm();
+    };
+    const std::uint32_t g = to.index(closest.closest(in_cell).face);
+    double least = squared_at(g);
+    for (const std::uint32_t other : across[g]) least = std::min(least, squared_at(other));
+    return least;
   };
   const measure::Monitor nobody;
   measure::Watch watch(nobody, static_cast<double>(options.samples));

@@ -10,7 +10,7 @@
 namespace whittle::attributes {
 
 /// Distances in the texture between samples of the original and the nearest places of the same charts on the
-/// simplified surface.
+/// simplified surface, at a slit those on the same side of it.
 struct TextureError {
   double rms = 0, max = 0;  ///< over the samples, in texels
   std::size_t samples = 0;  ///< without those of charts that have vanished

@@ -20,7 +20,8 @@ namespace whittle {
 /// priorities first, and tests legality when a collapse is the best of all. After a collapse the vertices
 /// around the survivor are marked; a marked vertex is judged anew when it comes up. So a vertex whose
 /// priority has improved may come up late, which makes the order differ a little from DecimaterT's, and with
-/// it the mesh; with planned modules it does not. Equal priorities go by vertex index. A vertex with more than 64
+/// it the mesh; with planned modules it does not. Of equal priorities the one judged first comes first, so that on a plane
+/// the collapses spread over it and no vertex gathers all edges; at the start they go by vertex index. A vertex with more than 64
 /// edges is judged anew when an eighth of them has changed, and at the end.
 template <typename MeshT>
 class LazyDecimaterT : public DriverT<MeshT> {
@@ -41,8 +42,9 @@ class LazyDecimaterT : public DriverT<MeshT> {
     float priority;
     int vertex;
     std::uint32_t version;
+    std::uint32_t turn;
     bool operator<(const Entry& other) const {  // std::priority_queue has the largest on top
-      return priority != other.priority ? priority > other.priority : vertex > other.vertex;
+      return priority != other.priority ? priority > other.priority : turn > other.turn;
     }
   };
   struct Candidate {
@@ -74,6 +76,9 @@ class LazyDecimaterT : public DriverT<MeshT> {
   void judge_one(HalfedgeHandle h);
   /// Judges a hub by the collapse that was its best; where that is gone, all of them, or later.
   void judge_hub(VertexHandle v);
+  void enqueue(VertexHandle v, float priority, std::uint32_t version) {
+    queue_.push({priority, v.idx(), version, turn_++});
+  }
   void put_off(VertexHandle v) {
     candidates_[static_cast<std::size_t>(v.idx())].queued = false;
     waiting_.push_back(v);
@@ -84,6 +89,7 @@ class LazyDecimaterT : public DriverT<MeshT> {
   std::vector<Candidate> candidates_;
   std::vector<VertexHandle> waiting_;
   std::priority_queue<Entry> queue_;
+  std::uint32_t turn_ = 0;  ///< of the next entry
   std::vector<Choice> choices_;
   EarlyPriorityT<Mesh>* early_ = nullptr;
 };
@@ -116,7 +122,7 @@ void LazyDecimaterT<MeshT>::judge(VertexHandle v, bool only_legal) {
     candidate.queued = true;
   }
   candidate.edges = static_cast<std::uint32_t>(choices_.size());
-  if (candidate.queued) queue_.push({best, v.idx(), candidate.version});
+  if (candidate.queued) enqueue(v, best, candidate.version);
 }
 
 template <typename MeshT>
@@ -128,7 +134,7 @@ void LazyDecimaterT<MeshT>::judge_one(HalfedgeHandle h) {
   candidate.collapse = h;
   candidate.queued = true;
   candidate.marked = false;
-  queue_.push({priority, ci.v0.idx(), ++candidate.version});
+  enqueue(ci.v0, priority, ++candidate.version);
 }
 
 template <typename MeshT>
@@ -161,6 +167,7 @@ void LazyDecimaterT<MeshT>::run(bool only_selected) {
   };
   early_ = this->early_priorities();
   queue_ = {};
+  turn_ = 0;
   waiting_.clear();
   candidates_.assign(mesh.n_vertices(), Candidate());
   for (const auto v : mesh.all_vertices())

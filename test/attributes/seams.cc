@@ -14,50 +14,22 @@
 #include "charts.hh"
 #include "measure/MeshFacts.hh"
 #include "recipe/Recipe.hh"
+#include "textured.hh"
 
 using namespace whittle;
 using namespace whittle::attributes;
+using fixture::mq_down_to;
+using fixture::run_with;
+using fixture::textured;
+using fixture::uv_at;
 
 namespace {
-
-recipe::Recipe mq_down_to(std::size_t faces, const std::string& spec = "mq") {
-  recipe::Recipe recipe;
-  recipe.modules = {recipe::parse_spec(spec)};
-  recipe.target.faces = faces;
-  return recipe;
-}
-
-/// Texture coordinates from `at(face, point)`, a value for each corner.
-template <typename At>
-Attribute textured(const IndexedMesh& mesh, At at) {
-  Attribute out{Kind::texture, "", 2, false, false, {}, {}};
-  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    auto& corners = out.corners.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = static_cast<std::uint32_t>(out.n_values());
-      const Eigen::Vector2d uv = at(f, mesh.points[mesh.triangles[f][k]]);
-      out.values.push_back(static_cast<float>(uv[0]));
-      out.values.push_back(static_cast<float>(uv[1]));
-    }
-  }
-  return out;
-}
 
 /// x and y, moved to the right by ten times the chart.
 Attribute moved_apart(const IndexedMesh& mesh, const std::vector<std::uint32_t>& chart) {
   return textured(mesh, [&](std::uint32_t f, const meshes::Point& p) {
     return Eigen::Vector2d(p.x() + 100 * chart[f], p.y());
   });
-}
-
-recipe::Result run_with(const IndexedMesh& mesh, const recipe::Recipe& recipe, const Attributes& given) {
-  recipe::Givens givens;
-  givens.attributes = &given;
-  return recipe::run(mesh, recipe, {}, givens);
-}
-
-Eigen::Vector2d uv_at(const Attribute& texture, std::uint32_t value) {
-  return {texture.value(value)[0], texture.value(value)[1]};
 }
 
 /// A box of six sides with n by n quads each, [0, 1] in each direction, and the side of each face.

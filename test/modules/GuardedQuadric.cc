@@ -14,13 +14,13 @@ namespace {
 using Guarded = ModGuardedQuadricT<Mesh>;
 
 /// A decimation down to so many faces by one priority module.
-template <typename Module, typename Setup>
+template <typename Module, typename Decimater = LazyDecimaterT<Mesh>, typename Setup>
 IndexedMesh to_faces(const IndexedMesh& in, std::size_t faces, Setup setup) {
   Mesh mesh = fixture::to_openmesh<Mesh>(in);
   mesh.request_vertex_status();
   mesh.request_edge_status();
   mesh.request_face_status();
-  LazyDecimaterT<Mesh> decimater(mesh);
+  Decimater decimater(mesh);
   typename Module::Handle handle;
   decimater.add(handle);
   setup(mesh, decimater.module(handle));
@@ -58,7 +58,8 @@ TEST_CASE("without guards the guarded quadric is ModQuadricT") {
 TEST_CASE("a flat grid keeps its area, and no face flips, where ModQuadricT eats it") {
   const IndexedMesh grid = meshes::flat_grid(60);
   const double whole = area_upwards(grid);
-  const auto stock = to_faces<OpenMesh::Decimater::ModQuadricT<Mesh>>(grid, 200, as_it_is);
+  const auto stock = to_faces<OpenMesh::Decimater::ModQuadricT<Mesh>, OpenMesh::Decimater::DecimaterT<Mesh>>(
+      grid, 200, as_it_is);
   CHECK(measure::facts(stock).area < 0.9 * whole);
 
   const auto ours = to_faces<Guarded>(grid, 200, as_it_is);

@@ -2,6 +2,7 @@
 /// Seams: lines across which corners differ, in texture say. Vertices move along them only.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +20,7 @@ inline bool is_inside(const Mesh& mesh, std::uint32_t v) {
 }
 
 /// Whether a vertex is the end of a slit: it is inside and has a single seam edge. It is fixed, as a slit that
-/// becomes shorter closes, and what is apart on its two sides would meet.
+/// becomes shorter closes, and what is apart on its two sides would meet; but see Mesh::joins_spokes.
 inline bool ends_slit(const Mesh& mesh, std::uint32_t v) {
   return mesh.seams[v] == 1 && is_inside(mesh, v);
 }
@@ -54,10 +55,9 @@ inline std::vector<std::uint32_t> charts(const CornerTable& table) {
 inline void mark_slits(Mesh& mesh, const std::vector<Corner>& seams) {
   const CornerTable& table = mesh.table;
   const std::vector<std::uint32_t> chart = charts(table);
-  mesh.on_slit.assign(table.n_vertices(), 0);
   for (const Corner c : seams)
     if (chart[face_of(c)] == chart[face_of(table.twin(c))])
-      mesh.on_slit[table.vertex(c)] = mesh.on_slit[table.vertex(next(c))] = 1;
+      for (const std::uint32_t v : {table.vertex(c), table.vertex(next(c))}) mesh.slits[v] |= Mesh::kOnSlit;
 }
 
 /// Marks the edges across which the wedges of the two faces differ at either end.
@@ -93,8 +93,11 @@ inline void mark_seams(Mesh& mesh, const std::vector<std::array<std::uint32_t, 3
     const SymmetricMatrix line = line_quadric(mesh, c);
     for (const std::uint32_t v : {table.vertex(c), table.vertex(next(c))}) mesh.quadrics[v] += line;
   }
-  for (std::uint32_t v = 0; v < mesh.seams.size(); ++v)
-    if (ends_slit(mesh, v)) mesh.holds[v] = kFixed;
+  mesh.slits.assign(table.n_vertices(), 0);
+  for (std::uint32_t v = 0; v < mesh.seams.size(); ++v) {
+    if (mesh.holds[v] != kFree) mesh.slits[v] = Mesh::kHeldAnyway;
+    if (ends_slit(mesh, v)) mesh.holds[v] = std::max(mesh.holds[v], kFixed);
+  }
   mark_slits(mesh, seams);
 }
 
@@ -111,6 +114,7 @@ inline bool is_chart(const Mesh& mesh, Corner c) {
 inline bool keeps_seams(const Mesh& mesh, Corner c) {
   const std::uint32_t a = mesh.table.vertex(c), b = mesh.table.vertex(next(c));
   if (mesh.seams[a] == 0 && mesh.seams[b] == 0) return true;
+  if (mesh.is_slit_end(a) && mesh.is_slit_end(b)) return mesh.joins_spokes(c);
   if (mesh.hold(a, b) + mesh.hold(b, a) > kFixed) return false;
   if (mesh.seams[a] == 0 || mesh.seams[b] == 0) return true;
   const Corner d = mesh.table.twin(c);
@@ -157,6 +161,7 @@ inline void fuse_seams(Mesh& mesh, Corner c) {
   const std::uint32_t to = table.vertex(c), from = table.vertex(next(c));
   const bool is_open = table.is_open(to) || table.is_open(from);
   std::vector<std::uint32_t>& seams = mesh.seams;
+  mesh.slits[to] |= mesh.slits[from];
   if (seams[to] + seams[from] == 0) return;
   seams[to] += seams[from];
   seams[from] = 0;
@@ -191,12 +196,11 @@ inline void fuse_seams(Mesh& mesh, Corner c) {
     closes[i] = seams[tip] == 1 && is_inside(mesh, tip);
     n_closing += closes[i];
   }
-  const bool on_slit = mesh.on_slit[to] != 0 || mesh.on_slit[from] != 0;
+  const bool on_slit = (mesh.slits[to] & Mesh::kOnSlit) != 0;
   const bool leaves_slit = on_slit || (!is_open && seams[to] == n_closing + 1);
   for (std::size_t i = 0; i < 2; ++i)
     if (closes[i] && !leaves_slit) clear(sides[i]);
 
-  mesh.on_slit[to] = static_cast<std::uint8_t>(on_slit);
   if (seams[to] == 1 && !is_open) mesh.holds[to] = kFixed;
   for (const Corner side : sides)
     if (side != kNoCorner && ends_slit(mesh, table.vertex(previous(side))))

@@ -14,7 +14,8 @@ namespace whittle::detail {
 
 /// Which edges of an OpenMesh mesh are seams, and what collapses make of them. The rules are those of mq
 /// (`mq/seams.hh`): two vertices on seams merge along a seam edge only, or along the boundary where the chart between
-/// them is a single face, and one inside a chart may merge into one on a seam.
+/// them is a single face, and one inside a chart may merge into one on a seam. The outer ends of two spokes around a hub
+/// merge, too, as `mq::Mesh::joins_spokes` says.
 template <typename Mesh>
 class MovingSeamsT {
  public:
@@ -68,6 +69,7 @@ class MovingSeamsT {
     return count_[index(v)] == 1 && !mesh.is_boundary(v);
   }
   bool is_chart(const Mesh& mesh, HalfedgeHandle h) const;
+  bool joins_spokes(const Mesh& mesh, HalfedgeHandle v0v1) const;
   bool closes_slit(const Mesh& mesh, HalfedgeHandle v0v1) const;
 
   std::vector<std::uint8_t> is_seam_;  // of each edge; empty if none is
@@ -111,10 +113,26 @@ bool MovingSeamsT<Mesh>::is_chart(const Mesh& mesh, HalfedgeHandle h) const {
   return ends(h) && ends(mesh.next_halfedge_handle(h)) && ends(mesh.prev_halfedge_handle(h));
 }
 
+/// Whether both ends are those of slits of one edge that meet at a hub, and the face between them closes.
+template <typename Mesh>
+bool MovingSeamsT<Mesh>::joins_spokes(const Mesh& mesh, HalfedgeHandle v0v1) const {
+  if (!ends_slit(mesh, mesh.from_vertex_handle(v0v1)) || !ends_slit(mesh, mesh.to_vertex_handle(v0v1)) ||
+      is_seam(mesh, v0v1))
+    return false;
+  for (const HalfedgeHandle h : {v0v1, mesh.opposite_halfedge_handle(v0v1)}) {
+    if (mesh.is_boundary(h)) continue;
+    const HalfedgeHandle next = mesh.next_halfedge_handle(h);
+    if (is_seam(mesh, next) && is_seam(mesh, mesh.prev_halfedge_handle(h)) &&
+        count_[index(mesh.to_vertex_handle(next))] > 3)
+      return true;
+  }
+  return false;
+}
+
 template <typename Mesh>
 bool MovingSeamsT<Mesh>::allow_planned(const Mesh& mesh, HalfedgeHandle v0v1) const {
   const VertexHandle v0 = mesh.from_vertex_handle(v0v1), v1 = mesh.to_vertex_handle(v0v1);
-  if (!is_on_seam(v0)) return true;
+  if (!is_on_seam(v0) || joins_spokes(mesh, v0v1)) return true;
   if (!is_on_seam(v1) || ends_slit(mesh, v0) || (mesh.is_boundary(v0) && !mesh.is_boundary(v1))) return false;
   return is_seam(mesh, v0v1) || is_open(mesh, v0v1);
 }
@@ -129,7 +147,7 @@ bool MovingSeamsT<Mesh>::allow(const Mesh& mesh, HalfedgeHandle v0v1) const {
 template <typename Mesh>
 bool MovingSeamsT<Mesh>::hold(const Mesh& mesh, HalfedgeHandle v0v1) const {
   const VertexHandle v0 = mesh.from_vertex_handle(v0v1), v1 = mesh.to_vertex_handle(v0v1);
-  if (!is_on_seam(v1)) return false;
+  if (!is_on_seam(v1) || joins_spokes(mesh, v0v1)) return false;
   return !is_on_seam(v0) || ends_slit(mesh, v1) || (mesh.is_boundary(v1) && !mesh.is_boundary(v0));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 #include <utility>
 #include <vector>
@@ -72,6 +73,7 @@ Eigen::Vector3d seam_target(const mq::Mesh& mesh, std::uint32_t from, std::uint3
 }
 
 Collapse merge(mq::Mesh& mesh, std::uint32_t from, std::uint32_t to) {
+  for (mq::Vertex& v : mesh.vertices) v.mark = 0;  // of an earlier worker
   mq::Worker worker = worker_of(mesh);
   const Corner c = corner(mesh, from, to);
   const mq::Placement placement = placed(mesh, c);
@@ -362,4 +364,63 @@ TEST_CASE("mq: where a slit branches, a branch may go") {
   REQUIRE(all_seams(mesh) == 3);
   for (const std::uint32_t end : {7u, 17u, 13u}) CHECK_FALSE(mq::closes_slit(mesh, corner(mesh, 12, end)));
   CHECK(mq::closes_slit(built(grid, with_slit(grid)), corner(built(grid, with_slit(grid)), 12, 7)));
+}
+
+namespace {
+
+/// A fan of n faces around vertex 0, a ring of n more fields outside; each face of the fan has a wedge of its own at 0.
+SurfaceExtras pole(std::uint32_t n, IndexedMesh& mesh) {
+  mesh = {};
+  mesh.points.emplace_back(0, 0, 0);
+  for (const double r : {1.0, 2.0})
+    for (std::uint32_t i = 0; i < n; ++i)
+      mesh.points.emplace_back(r * std::cos(2 * meshes::kPi * i / n), r * std::sin(2 * meshes::kPi * i / n),
+                               0);
+  SurfaceExtras extras;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t a = 1 + i, b = 1 + (i + 1) % n;
+    mesh.triangles.push_back({0, a, b});
+    extras.wedges.push_back({100 + i, a, b});
+    for (const auto& t : {IndexedMesh::Triangle{a, a + n, b + n}, IndexedMesh::Triangle{a, b + n, b}}) {
+      mesh.triangles.push_back(t);
+      extras.wedges.push_back(t);
+    }
+  }
+  return extras;
+}
+
+}  // namespace
+
+TEST_CASE("mq: spokes merge at their outer ends until three are left") {
+  IndexedMesh fan;
+  const SurfaceExtras extras = pole(6, fan);
+  mq::Mesh mesh = built(fan, extras);
+  CHECK(n_seams(mesh, 0) == 6);
+  CHECK(n_seams(mesh, 1) == 1);
+  CHECK(mesh.is_movable(corner(mesh, 1, 2)));
+  CHECK(merge(mesh, 2, 1).faces == 2);
+  CHECK(n_seams(mesh, 0) == 5);
+  check_seams(mesh);
+  merge(mesh, 4, 3);
+  merge(mesh, 6, 5);
+  CHECK(n_seams(mesh, 0) == 3);
+  check_seams(mesh);
+  std::size_t movable = 0;
+  for (Corner f = 0; f < mq::corner_of(mesh.table.n_faces()); f += mq::corner_of(1))
+    for (Corner c = f; c < f + 3 && !mesh.table.is_dead(f); ++c) movable += mesh.joins_spokes(c);
+  CHECK(movable == 0);
+}
+
+TEST_CASE("mq: spokes that are locked stay, and three at a hub") {
+  IndexedMesh fan;
+  SurfaceExtras extras = pole(6, fan);
+  extras.flags.assign(fan.points.size(), 0);
+  extras.flags[1] = kLocked;
+  const mq::Mesh locked = built(fan, extras);
+  CHECK_FALSE(locked.is_movable(corner(locked, 1, 2)));
+  CHECK(locked.is_movable(corner(locked, 2, 3)));
+
+  const SurfaceExtras few = pole(3, fan);
+  const mq::Mesh three = built(fan, few);
+  CHECK_FALSE(three.is_movable(corner(three, 1, 2)));
 }
