@@ -37,22 +37,22 @@ class GltfViews {
   const Use& use(std::size_t accessor) const { return uses_.at(accessor); }
 
   /// Whether an accessor has a view of its own, from its beginning, and only parts of meshes name it: it can be replaced.
-  bool is_alone(std::size_t accessor) const;
+  bool is_alone(std::size_t number) const;
 
   /// The same, of 32-bit floats.
-  bool are_floats_alone(std::size_t accessor) const;
+  bool are_floats_alone(std::size_t number) const;
 
   /// Bytes of a value, without a gap behind it.
-  std::size_t value_bytes(std::size_t accessor) const;
+  std::size_t value_bytes(std::size_t number) const;
 
   /// Bytes from one value to the next.
-  std::size_t stride(std::size_t accessor) const;
+  std::size_t stride(std::size_t number) const;
 
   /// \pre are_floats_alone()
-  std::vector<float> floats(std::size_t accessor) const;
+  std::vector<float> floats(std::size_t number) const;
 
   /// \pre is_alone()
-  std::vector<std::uint32_t> indices(std::size_t accessor) const;
+  std::vector<std::uint32_t> indices(std::size_t number) const;
 
   View& view_of(std::size_t accessor) { return views_[view_number(accessor)]; }
   const View& view_of(std::size_t accessor) const { return views_[view_number(accessor)]; }

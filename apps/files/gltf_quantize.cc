@@ -161,7 +161,7 @@ class Quantizer {
   template <typename T>
   void write_points(std::size_t accessor, const Vector3d& origin, double step) {
     std::string bytes;
-    Eigen::Array<T, 3, 1> least, most;
+    Eigen::Array<T, 3, 1> least = Eigen::Array<T, 3, 1>::Zero(), most = least;
     for_each_point(accessor, [&](const Vector3d& point) {
       Eigen::Array<T, 3, 1> narrow;
       for (int k = 0; k < 3; ++k) narrow[k] = rounded_to<T>((point[k] - origin[k]) / step);

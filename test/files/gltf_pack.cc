@@ -262,6 +262,7 @@ TEST_CASE("quantize: in a scene nodes keep what is said of them, and get a child
   const Attribute& moved = find(kept.attributes, Kind::vector, "0/POSITION");
   const double step = after["nodes"][3]["scale"][0].get<double>();
   std::vector<double> shifts;
+  shifts.reserve(moved.n_values());
   for (std::size_t i = 0; i < moved.n_values(); ++i)
     shifts.push_back(step * static_cast<double>(moved.value(i)[2]));
   std::sort(shifts.begin(), shifts.end());
