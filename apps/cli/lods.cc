@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "cli/RecipeOptions.hh"
@@ -8,6 +9,7 @@
 #include "cli/commands.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
+#include "files/subset.hh"
 #include "recipe/Progression.hh"
 #include "text/format.hh"
 #include "text/printable.hh"
@@ -35,8 +37,9 @@ bool has_extension(const std::string& path, const char* wanted) {
   return files::extension_of_format(path) == wanted;
 }
 
-bool is_glb(const std::string& path) {
-  return has_extension(path, ".glb");
+/// Whether all levels go into one file.
+bool is_gltf(const std::string& path) {
+  return has_extension(path, ".glb") || has_extension(path, ".gltf");
 }
 
 std::string without_extension(const std::string& path) {
@@ -49,10 +52,10 @@ std::string file_of(const std::string& out, std::size_t level) {
          out.substr(out.size() - files::whole_extension(out).size());
 }
 
-/// Where the levels go by default: beside the model. A GLB that holds all levels has another name than the model.
+/// Where the levels go by default: beside the model. A file that holds all levels has another name than the model.
 std::string default_out(const std::string& in) {
   if (in == "-") throw recipe::RecipeError("--out is required where the model comes from standard input");
-  if (!is_glb(in) && !has_extension(in, ".gltf")) return in;
+  if (!is_gltf(in)) return in;
   return without_extension(in) + "-lods.glb";
 }
 
@@ -64,7 +67,7 @@ std::string role_of(std::size_t level) {
 /// Tells the outputs of every file of the run.
 void add_files(const Options& options, files::Outputs& outputs) {
   if (options.out == "-") throw recipe::RecipeError("--out: the levels cannot go to standard output");
-  const bool one_file = is_glb(options.out);
+  const bool one_file = is_gltf(options.out);
   for (std::size_t i = 0; i < (one_file ? 1 : options.levels); ++i)
     files::check_writable(one_file ? options.out : file_of(options.out, i));
   outputs.reads("MODEL", options.in);
@@ -114,7 +117,7 @@ Json describe(const Options& options, const files::MeshFile& in, const std::vect
   list.push_back({{"level", 0},
                   {"vertices", in.mesh.points.size()},
                   {"faces", in.mesh.triangles.size()},
-                  {"file", is_glb(options.out) ? options.out : file_of(options.out, 0)}});
+                  {"file", is_gltf(options.out) ? options.out : file_of(options.out, 0)}});
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const Level& level = levels[i];
     Json stages = Json::array();
@@ -162,20 +165,77 @@ files::Parts parts_of(const files::MeshFile& in, const Level& level) {
   return parts;
 }
 
+/// The faces of each mesh of a scene.
+std::vector<IndexedMesh> meshes_apart(const files::MeshFile& in, const IndexedMesh& mesh,
+                                      const std::vector<std::uint32_t>& parts) {
+  const std::vector<std::uint32_t> mesh_of_part = files::meshes_of_parts(in);
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::uint32_t face = 0; face < parts.size(); ++face) {
+    const std::uint32_t number = mesh_of_part[parts[face]];
+    if (faces.size() <= number) faces.resize(number + 1);
+    faces[number].push_back(face);
+  }
+  faces.resize(*std::max_element(mesh_of_part.begin(), mesh_of_part.end()) + std::size_t{1});
+  std::vector<IndexedMesh> out;
+  for (const auto& list : faces) out.push_back(files::faces_alone(mesh, {}, list).mesh);
+  return out;
+}
+
+/// How far each mesh of a level is from that of the model; as far as it is large where it has vanished. The samples are
+/// shared out by faces.
+std::vector<double> errors_of_meshes(const Options& options, const std::vector<IndexedMesh>& model,
+                                     const std::vector<IndexedMesh>& level, std::size_t faces) {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    measure::DistanceOptions sampling;
+    const double share =
+        static_cast<double>(model[i].triangles.size()) / static_cast<double>(std::max<std::size_t>(1, faces));
+    sampling.samples = 1000 + static_cast<std::size_t>(share * static_cast<double>(options.samples));
+    try {
+      errors.push_back(
+          model[i].triangles.empty() ? 0 : measure::distance(model[i], level[i], sampling).two_sided.max);
+    } catch (const InvalidMesh&) {  // no face with an area
+      errors.push_back(recipe::measure_scale(model[i]).diagonal);
+    }
+  }
+  return errors;
+}
+
+files::Encoded encode_scene(const Options& options, const files::MeshFile& in,
+                            const std::vector<Level>& levels, const files::WriteOptions& format) {
+  std::vector<std::uint32_t> same(in.mesh.points.size());
+  std::iota(same.begin(), same.end(), 0U);
+  std::vector<files::SceneLevel> all{{{in.mesh, in.attributes, in.parts.of_face, same}, {}}};
+  const std::vector<IndexedMesh> model = meshes_apart(in, in.mesh, in.parts.of_face);
+  for (const Level& level : levels) {
+    const recipe::Result& result = level.result;
+    all.push_back({{result.mesh, result.attributes, result.parts, result.vertex_map},
+                   errors_of_meshes(options, model, meshes_apart(in, result.mesh, result.parts),
+                                    in.mesh.triangles.size())});
+  }
+  return files::encode_scene_levels(options.out, in, all, format);
+}
+
+files::Encoded encode_mesh_levels(const Options& options, const files::MeshFile& in,
+                                  const std::vector<Level>& levels, const files::WriteOptions& format) {
+  std::vector<files::Level> all{{in.mesh, in.attributes, in.parts, 0}};
+  for (const Level& level : levels)
+    all.push_back(
+        {level.result.mesh, level.result.attributes, parts_of(in, level), level.distance.two_sided.max});
+  return files::encode_levels(options.out, all, format);
+}
+
 /// \return what the formats could not take.
 files::WriteReport write(const Options& options, const files::MeshFile& in, std::vector<Level>& levels,
                          files::Outputs& outputs) {
   files::WriteOptions format;
   set_packing(options, {options.out}, format);
-  if (is_glb(options.out)) {
-    std::vector<files::Level> all{{in.mesh, in.attributes, in.parts, 0}};
-    for (Level& level : levels) {
-      all.push_back(
-          {level.result.mesh, level.result.attributes, parts_of(in, level), level.distance.two_sided.max});
-      level.file = options.out;
-    }
-    files::Encoded one = files::encode_glb_levels(options.out, all, format);
+  if (is_gltf(options.out)) {
+    for (Level& level : levels) level.file = options.out;
+    files::Encoded one = in.scene ? encode_scene(options, in, levels, format)
+                                  : encode_mesh_levels(options, in, levels, format);
     outputs.write("--out", std::move(one.bytes));
+    outputs.write_beside(std::move(one.companions));
     return std::move(one.report);
   }
   format.ascii = options.ascii;
@@ -204,7 +264,12 @@ int lods(Options options) {
   set_packing(options, {options.out}, format);
   files::Outputs outputs;
   add_files(options, outputs);
-  files::MeshFile in = files::read_mesh(options.in, read_options(options));
+  files::ReadOptions reading = read_options(options);
+  reading.keep_scene = !options.flatten && is_gltf(options.out);
+  files::MeshFile in = files::read_mesh(options.in, reading);
+  if (files::has_levels(in))
+    throw files::FileError(options.in +
+                           ": it has levels of detail already; --flatten begins with its finest");
   if (!options.quiet) print_notes(options.in, in.report);
   require_faces(options.in, in);
   recipe::Givens givens = make_givens(options, in);
@@ -250,7 +315,8 @@ Command add_lods(CLI::App& app) {
       ->type_name("R");
   command
       ->add_option("--out", options->out,
-                   "NAME.glb: all levels in one file, with MSFT_lod; else one file each, NAME-lod0.ply and "
+                   "NAME.glb or .gltf: all levels in one file, with MSFT_lod, a scene kept; else one file "
+                   "each, NAME-lod0.ply and "
                    "so on. Default: beside the model, NAME-lods.glb for glTF")
       ->type_name("NAME");
   add_recipe_options(*command, *options, false);

@@ -210,7 +210,10 @@ struct SceneResult {
 /// \throw FileError  unknown format
 bool holds_scenes(const std::filesystem::path& path, const WriteOptions& options = {});
 
-/// For each face the number of its mesh in the document. \pre the mesh was read from a scene
+/// For each part the number of its mesh in the document. \pre the mesh was read from a scene
+std::vector<std::uint32_t> meshes_of_parts(const MeshFile& file);
+
+/// The same for each face. \pre the mesh was read from a scene
 std::vector<std::uint32_t> meshes_of_faces(const MeshFile& file);
 
 /// The scene that a mesh was read from, with the triangles of a result. All the rest of it stays: nodes, materials,
@@ -220,6 +223,24 @@ std::vector<std::uint32_t> meshes_of_faces(const MeshFile& file);
 Encoded encode_scene(const std::filesystem::path& path, const MeshFile& in, const SceneResult& result,
                      const WriteOptions& options = {});
 
+/// A level of detail of a scene.
+struct SceneLevel {
+  SceneResult result;
+  std::vector<double>
+      errors;  ///< of each mesh of the document how far it lies from that of the first level, in the units
+               ///< of the mesh that is decimated; not looked at for the first
+};
+
+/// The scene with levels of detail for each of its meshes, by the extension MSFT_lod. The first is what encode_scene would
+/// write; each node that shows a mesh names nodes outside of the scene that show its coarser levels. A level of a mesh that
+/// has as many faces as the one before is left out.
+/// \throw FileError  also where there is no level
+Encoded encode_scene_levels(const std::filesystem::path& path, const MeshFile& in,
+                            const std::vector<SceneLevel>& levels, const WriteOptions& options = {});
+
+/// Whether a scene has levels of detail already.
+bool has_levels(const MeshFile& file);
+
 /// One level of detail.
 struct Level {
   IndexedMesh mesh;
@@ -228,14 +249,14 @@ struct Level {
   double error = 0;  ///< how far it lies from the first level, in model units
 };
 
-/// The bytes that write_glb_levels would write.
-Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels,
-                          const WriteOptions& options = {});
+/// The bytes that write_levels would write.
+Encoded encode_levels(const std::filesystem::path& path, const std::vector<Level>& levels,
+                      const WriteOptions& options = {});
 
-/// Writes levels of detail into one GLB with the extension MSFT_lod, the finest first. read_mesh reads the
+/// Writes levels of detail into one GLB or .gltf with the extension MSFT_lod, the finest first. read_mesh reads the
 /// first and notes the others.
 /// \throw FileError  as write_mesh; also where there is no level
-WriteReport write_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels);
+WriteReport write_levels(const std::filesystem::path& path, const std::vector<Level>& levels);
 
 /// Throws what write_mesh would throw for a target that cannot be written, before any work is done.
 void check_writable(const std::filesystem::path& path, const WriteOptions& options = {});

@@ -1,12 +1,12 @@
 /// \file
 /// glTF 2.0: writing, with one level of detail or several.
-#include <algorithm>
 #include <cmath>
 
 #include "files/Fault.hh"
 #include "files/GltfWriter.hh"
 #include "files/formats.hh"
 #include "files/gltf_pack.hh"
+#include "files/levels.hh"
 
 namespace whittle::files {
 namespace {
@@ -21,31 +21,18 @@ double diagonal_of(const IndexedMesh& mesh) {
   return (most - least).norm();
 }
 
-/// From which part of the screen on each level is shown: as long as the error of the next one would be
-/// larger than a pixel of a screen of 1080 lines. Empty where the errors do not grow from level to level.
-std::vector<double> screen_coverage(const std::vector<LevelView>& levels) {
-  constexpr double lines = 1080;
-  const double diagonal = diagonal_of(*levels[0].mesh);
-  std::vector<double> coverage;
-  for (std::size_t i = 1; i < levels.size(); ++i) {
-    if (!(levels[i].error > levels[i - 1].error) || !(diagonal > 0)) return {};
-    const double height = diagonal / (levels[i].error * lines);  // of the screen's height
-    coverage.push_back(std::min(1.0, height * height));
-  }
-  coverage.push_back(0);
-  return coverage;
-}
-
 /// The first level is in the scene and names the others, which are not.
-void connect_levels(nlohmann::json& document, const std::vector<LevelView>& levels) {
+void connect_level_views(nlohmann::json& document, const std::vector<LevelView>& levels) {
+  std::vector<double> errors;
   nlohmann::json others = nlohmann::json::array();
   for (std::size_t i = 0; i < levels.size(); ++i) {
+    errors.push_back(levels[i].error);
     document["nodes"][i]["extras"]["error"] = levels[i].error;
     if (i > 0) others.push_back(i);
   }
   nlohmann::json& first = document["nodes"][0];
-  if (const std::vector<double> coverage = screen_coverage(levels); !coverage.empty())
-    first["extras"]["MSFT_screencoverage"] = coverage;
+  const std::vector<double> coverage = screen_coverage(diagonal_of(*levels[0].mesh), errors);
+  if (!coverage.empty()) first["extras"]["MSFT_screencoverage"] = coverage;
   first["extensions"]["MSFT_lod"]["ids"] = std::move(others);
   document["extensionsUsed"] = nlohmann::json::array({"MSFT_lod"});
 }
@@ -59,7 +46,7 @@ GltfOutput gltf_of(const std::vector<LevelView>& levels, WriteReport& report) {
     if (!std::isfinite(level.error)) throw Fault("not written: an error that is not finite");
     writer.add(*level.mesh, *level.attributes, *level.parts);
   }
-  if (levels.size() > 1) connect_levels(writer.output().json(), levels);
+  if (levels.size() > 1) connect_level_views(writer.output().json(), levels);
   return std::move(writer.output());
 }
 

@@ -77,10 +77,17 @@ void arrange(Scene& scene, const std::vector<GltfInstance>& instances, std::size
   }
 }
 
-std::vector<std::uint32_t> meshes_of_faces(const MeshFile& file) {
+std::vector<std::uint32_t> meshes_of_parts(const MeshFile& file) {
   std::vector<std::uint32_t> meshes;
-  for (const std::uint32_t part : file.parts.of_face)
-    meshes.push_back(static_cast<std::uint32_t>(file.scene->pieces[part].mesh));
+  for (const Scene::Piece& piece : file.scene->pieces)
+    meshes.push_back(static_cast<std::uint32_t>(piece.mesh));
+  return meshes;
+}
+
+std::vector<std::uint32_t> meshes_of_faces(const MeshFile& file) {
+  const std::vector<std::uint32_t> of_part = meshes_of_parts(file);
+  std::vector<std::uint32_t> meshes;
+  for (const std::uint32_t part : file.parts.of_face) meshes.push_back(of_part[part]);
   return meshes;
 }
 

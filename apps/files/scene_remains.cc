@@ -92,12 +92,9 @@ void drop_empty_meshes(Json& document) {
   }
 }
 
-void drop_packing_extensions(Json& document, std::size_t pieces) {
+void drop_packing_extensions(Json& document, bool are_all_new) {
   std::set<std::string> gone = {"EXT_meshopt_compression", "KHR_draco_mesh_compression"};
-  std::size_t parts = 0;
-  if (document.contains("meshes"))
-    for (const Json& mesh : document["meshes"]) parts += mesh["primitives"].size();
-  if (parts <= pieces) gone.insert("KHR_mesh_quantization");
+  if (are_all_new) gone.insert("KHR_mesh_quantization");
   for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
     if (!document.contains(key)) continue;
     Json left = Json::array();

@@ -2,7 +2,6 @@
 /// What goes from a glTF document when its triangles are replaced.
 #pragma once
 
-#include <cstddef>
 #include <nlohmann/json.hpp>
 
 #include "files/MeshFile.hh"
@@ -19,7 +18,7 @@ void drop_lost_looks(nlohmann::json& document, const Scene& scene, bool has_mate
 void drop_empty_meshes(nlohmann::json& document);
 
 /// Extensions of how data are packed go with the data.
-/// \param pieces  how many parts the document has whose data are written anew
-void drop_packing_extensions(nlohmann::json& document, std::size_t pieces);
+/// \param are_all_new  whether the data of all parts are
+void drop_packing_extensions(nlohmann::json& document, bool are_all_new);
 
 }  // namespace whittle::files

@@ -1,15 +1,17 @@
 /// \file
 /// glTF 2.0: writing a scene back with other triangles.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "files/Fault.hh"
 #include "files/GltfOutput.hh"
-#include "files/IndexTable.hh"
 #include "files/Scene.hh"
 #include "files/formats.hh"
 #include "files/gzip.hh"
+#include "files/levels.hh"
+#include "files/piece_vertices.hh"
 #include "files/scene_images.hh"
 #include "files/scene_references.hh"
 #include "files/scene_remains.hh"
@@ -22,74 +24,32 @@ using Json = nlohmann::json;
 using attributes::Attribute;
 using attributes::Kind;
 
-/// The vertices of a piece: one for each vertex of the mesh and the values that its corners have there.
-struct PieceVertices {
-  std::vector<std::uint32_t> corners;  ///< one corner of each, 3 f + k
-  std::vector<std::uint32_t> indices;  ///< three for each face
-};
-
-PieceVertices vertices_of(const IndexedMesh& mesh, const std::vector<std::uint32_t>& faces,
-                          const std::vector<const Attribute*>& attributes) {
-  PieceVertices out;
-  IndexTable table;
-  const auto equal = [&](std::uint32_t a, std::uint32_t b) {
-    if (mesh.triangles[a / 3][a % 3] != mesh.triangles[b / 3][b % 3]) return false;
-    return std::all_of(attributes.begin(), attributes.end(), [&](const Attribute* attribute) {
-      return attribute->at(mesh, a / 3, a % 3) == attribute->at(mesh, b / 3, b % 3);
-    });
-  };
-  for (const std::uint32_t face : faces)
-    for (std::uint32_t corner = 3 * face; corner < 3 * face + 3; ++corner) {
-      Hash hash;
-      hash.add(std::uint64_t{mesh.triangles[corner / 3][corner % 3]});
-      for (const Attribute* attribute : attributes)
-        hash.add(std::uint64_t{attribute->at(mesh, corner / 3, corner % 3)});
-      const auto fresh = static_cast<std::uint32_t>(out.corners.size());
-      const std::uint32_t index = table.find_or_add(
-          hash, fresh, [&](std::uint32_t other) { return equal(out.corners[other], corner); });
-      if (index == fresh) out.corners.push_back(corner);
-      out.indices.push_back(index);
-    }
-  return out;
-}
-
-std::vector<float> values_of(const IndexedMesh& mesh, const PieceVertices& vertices,
-                             const Attribute& attribute) {
-  std::vector<float> values;
-  values.reserve(attribute.components * vertices.corners.size());
-  for (const std::uint32_t corner : vertices.corners) {
-    const float* value = attribute.value(attribute.at(mesh, corner / 3, corner % 3));
-    values.insert(values.end(), value, value + attribute.components);
-  }
-  return values;
-}
-
-/// The first `count` components of each value.
-std::vector<float> narrowed(const std::vector<float>& values, std::size_t components, std::size_t count) {
-  std::vector<float> out;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (i % components < count) out.push_back(values[i]);
-  return out;
-}
-
 class SceneWriter {
  public:
-  SceneWriter(const MeshFile& in, const SceneResult& result, WriteReport& report)
-      : in_(in), scene_(*in.scene), result_(result), report_(report), document_(scene_.document) {}
+  SceneWriter(const MeshFile& in, WriteReport& report)
+      : in_(in), scene_(*in.scene), report_(report), document_(scene_.document) {}
 
-  void run() {
-    drop_lost_looks(document_, scene_, !in_.parts.materials.empty(), result_.attributes);
+  void run(const std::vector<SceneLevel>& levels) {
+    drop_lost_looks(document_, scene_, !in_.parts.materials.empty(), levels[0].result.attributes);
     prepare_data();
-    find_exact_points();
-    write_pieces();
+    std::vector<MeshLevels> of_mesh(scene_.placements.size());
+    for (std::uint32_t mesh = 0; mesh < of_mesh.size(); ++mesh) meshes_.push_back(mesh);
+    find_file_vertices();
+    write_result(levels[0].result);
+    std::vector<std::size_t> before = faces_of_meshes(levels[0].result);
+    for (std::size_t i = 1; i < levels.size(); ++i) add_level(levels[i], before, of_mesh);
+    for (std::size_t mesh = 0; mesh < of_mesh.size(); ++mesh) add_coverage(mesh, of_mesh[mesh]);
+    connect_levels(output_->json(), of_mesh);
     drop_empty_meshes(output_->json());
-    drop_packing_extensions(output_->json(), scene_.pieces.size());
+    drop_packing_extensions(output_->json(), n_parts() == scene_.pieces.size());
     output_->json()["asset"]["generator"] = "whittle";
   }
 
   GltfOutput& output() { return *output_; }
 
  private:
+  static constexpr std::size_t kNotWritten = static_cast<std::size_t>(-1);
+
   /// Puts the data that stay one behind the other.
   void prepare_data() {
     const SceneReferences kept = references_besides(document_, scene_.pieces);
@@ -125,42 +85,99 @@ class SceneWriter {
     return out;
   }
 
-  /// Vertices that have not moved have the file's coordinates, to the last bit.
-  void find_exact_points() {
-    constexpr std::uint32_t none = MeshFile::left_out;
-    std::vector<std::uint32_t> in_file(in_.mesh.points.size(), none);
+  /// Of the input, triangles or not.
+  std::size_t n_parts() const {
+    std::size_t parts = 0;
+    if (scene_.document.contains("meshes"))
+      for (const Json& mesh : scene_.document["meshes"]) parts += mesh["primitives"].size();
+    return parts;
+  }
+
+  std::vector<std::size_t> faces_of_meshes(const SceneResult& result) const {
+    std::vector<std::size_t> faces(meshes_.size(), 0);
+    for (const std::uint32_t part : result.parts) ++faces[scene_.pieces[part].mesh];
+    return faces;
+  }
+
+  /// Writes new meshes for those that have fewer faces than in the level before.
+  void add_level(const SceneLevel& level, std::vector<std::size_t>& before,
+                 std::vector<MeshLevels>& of_mesh) {
+    const std::vector<std::size_t> faces = faces_of_meshes(level.result);
+    Json& meshes = output_->json()["meshes"];
+    for (std::size_t mesh = 0; mesh < faces.size(); ++mesh) {
+      meshes_[mesh] = kNotWritten;
+      if (faces[mesh] == before[mesh]) continue;
+      if (!std::isfinite(level.errors[mesh])) throw Fault("not written: an error that is not finite");
+      const Json same = meshes[mesh];  // parts that are no triangles, names, weights
+      meshes_[mesh] = meshes.size();
+      meshes.push_back(same);
+      of_mesh[mesh].meshes.push_back(meshes_[mesh]);
+      of_mesh[mesh].errors.push_back(level.errors[mesh] / scene_.placements[mesh].scale);
+    }
+    write_result(level.result);
+    before = faces;
+  }
+
+  void add_coverage(std::size_t mesh, MeshLevels& levels) const {
+    if (levels.meshes.empty()) return;
+    Eigen::AlignedBox3d box;
+    for (std::size_t v = 0; v < scene_.file_points.size(); ++v)
+      if (scene_.mesh_of[v] == mesh && scene_.file_points[v].allFinite()) box.extend(scene_.file_points[v]);
+    std::vector<double> errors = levels.errors;
+    errors.insert(errors.begin(), 0);
+    levels.coverage = screen_coverage(box.isEmpty() ? 0 : box.diagonal().norm(), errors);
+  }
+
+  /// For each vertex of the input one of the file's.
+  void find_file_vertices() {
+    in_file_.assign(in_.mesh.points.size(), MeshFile::left_out);
     for (std::uint32_t i = 0; i < scene_.file_points.size(); ++i) {
       const std::uint32_t v = in_.vertex_of.empty() ? i : in_.vertex_of[i];
-      if (v != none && in_file[v] == none) in_file[v] = i;
+      if (v != MeshFile::left_out && in_file_[v] == MeshFile::left_out) in_file_[v] = i;
     }
-    exact_.resize(result_.mesh.points.size(), none);
-    for (std::size_t v = 0; v < result_.vertex_map.size(); ++v) {
-      const std::uint32_t w = result_.vertex_map[v];
-      if (w < exact_.size() && result_.mesh.points[w] == in_.mesh.points[v]) exact_[w] = in_file[v];
+  }
+
+  void write_result(const SceneResult& result) {
+    const bool is_first = result_ == nullptr;
+    result_ = &result;
+    find_exact_points();
+    const std::vector<std::uint32_t> first = write_pieces();
+    if (is_first) report_.first_vertex = first;
+  }
+
+  /// Vertices that have not moved have the file's coordinates, to the last bit.
+  void find_exact_points() {
+    exact_.assign(result_->mesh.points.size(), MeshFile::left_out);
+    for (std::size_t v = 0; v < result_->vertex_map.size(); ++v) {
+      const std::uint32_t w = result_->vertex_map[v];
+      if (w < exact_.size() && result_->mesh.points[w] == in_.mesh.points[v]) exact_[w] = in_file_[v];
     }
   }
 
   IndexedMesh::Point point(std::uint32_t w, const Scene::Placement& placement) const {
     if (exact_[w] != MeshFile::left_out) return scene_.file_points[exact_[w]];
-    return (result_.mesh.points[w] - placement.offset) / placement.scale;
+    return (result_->mesh.points[w] - placement.offset) / placement.scale;
   }
 
-  void write_pieces() {
+  /// \return for each vertex of the result the first that stands for it
+  std::vector<std::uint32_t> write_pieces() {
     std::vector<std::vector<std::uint32_t>> faces(scene_.pieces.size());
-    for (std::uint32_t f = 0; f < result_.parts.size(); ++f) faces[result_.parts[f]].push_back(f);
-    report_.first_vertex.assign(result_.mesh.points.size(), 0);
-    std::vector<bool> seen(result_.mesh.points.size(), false);
+    for (std::uint32_t f = 0; f < result_->parts.size(); ++f) faces[result_->parts[f]].push_back(f);
+    std::vector<std::uint32_t> first(result_->mesh.points.size(), 0);
+    std::vector<bool> seen(result_->mesh.points.size(), false);
     std::uint32_t begin = 0;
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      if (meshes_[scene_.pieces[i].mesh] == kNotWritten) continue;
       const PieceVertices vertices = write_piece(scene_.pieces[i], faces[i]);
       for (std::uint32_t k = 0; k < vertices.corners.size(); ++k) {
         const std::uint32_t corner = vertices.corners[k];
-        const std::uint32_t w = result_.mesh.triangles[corner / 3][corner % 3];
-        if (!seen[w]) report_.first_vertex[w] = begin + k;
+        const std::uint32_t w = result_->mesh.triangles[corner / 3][corner % 3];
+        if (!seen[w]) first[w] = begin + k;
         seen[w] = true;
       }
       begin += static_cast<std::uint32_t>(vertices.corners.size());
     }
+    return first;
   }
 
   PieceVertices write_piece(const Scene::Piece& piece, const std::vector<std::uint32_t>& faces) {
@@ -170,8 +187,8 @@ class SceneWriter {
     std::vector<const Attribute*> at_corners;
     for (const Attribute* attribute : attributes)
       if (!attribute->per_vertex()) at_corners.push_back(attribute);
-    PieceVertices vertices = vertices_of(result_.mesh, faces, at_corners);
-    Json part = output_->json()["meshes"][piece.mesh]["primitives"][piece.primitive];
+    PieceVertices vertices = vertices_of(result_->mesh, faces, at_corners);
+    Json part = output_->json()["meshes"][meshes_[piece.mesh]]["primitives"][piece.primitive];
     part["attributes"] = Json::object();
     part.erase("indices");
     part.erase("mode");
@@ -182,21 +199,21 @@ class SceneWriter {
         if (const Attribute* attribute = find(channel.name)) add_channel(part, channel, *attribute, vertices);
       part["indices"] = output_->add_indices(vertices.indices, vertices.corners.size());
     }
-    output_->json()["meshes"][piece.mesh]["primitives"][piece.primitive] = std::move(part);
+    output_->json()["meshes"][meshes_[piece.mesh]]["primitives"][piece.primitive] = std::move(part);
     return vertices;
   }
 
   const Attribute* find(const std::string& name) const {
-    const auto found = std::find_if(result_.attributes.begin(), result_.attributes.end(),
+    const auto found = std::find_if(result_->attributes.begin(), result_->attributes.end(),
                                     [&](const Attribute& attribute) { return attribute.name == name; });
-    return found == result_.attributes.end() ? nullptr : &*found;
+    return found == result_->attributes.end() ? nullptr : &*found;
   }
 
   std::size_t add_positions(const Scene::Piece& piece, const PieceVertices& vertices) {
     std::vector<float> values;
     for (const std::uint32_t corner : vertices.corners)
       for (const double x :
-           point(result_.mesh.triangles[corner / 3][corner % 3], scene_.placements[piece.mesh])) {
+           point(result_->mesh.triangles[corner / 3][corner % 3], scene_.placements[piece.mesh])) {
         values.push_back(static_cast<float>(x));
         if (!std::isfinite(values.back()))
           throw Fault("not written: a coordinate is too large for a 32-bit float");
@@ -206,7 +223,7 @@ class SceneWriter {
 
   void add_channel(Json& part, const Scene::Channel& channel, const Attribute& attribute,
                    const PieceVertices& vertices) {
-    std::vector<float> values = values_of(result_.mesh, vertices, attribute);
+    std::vector<float> values = values_of(result_->mesh, vertices, attribute);
     for (float& value : values)
       if (!std::isfinite(value)) value = 0;
     if (attribute.kind == Kind::skin) return add_skin(part, attribute, values);
@@ -241,23 +258,26 @@ class SceneWriter {
 
   const MeshFile& in_;
   const Scene& scene_;
-  const SceneResult& result_;
+  const SceneResult* result_ = nullptr;  ///< the level at hand
   WriteReport& report_;
   Json document_, empty_ = Json::array();
   std::optional<GltfOutput> output_;
+  std::vector<std::size_t> meshes_;  ///< of each mesh of the document the one that is written, or none
+  std::vector<std::uint32_t> in_file_;
   std::vector<std::uint32_t> exact_;  ///< for each vertex the one of the file that it still is
 };
 
 }  // namespace
 
-Encoded encode_scene(const fs::path& path, const MeshFile& in, const SceneResult& result,
-                     const WriteOptions& options) {
+Encoded encode_scene_levels(const fs::path& path, const MeshFile& in, const std::vector<SceneLevel>& levels,
+                            const WriteOptions& options) {
   return naming(path, [&] {
+    if (levels.empty()) throw Fault("not written: there is no level of detail");
     const Format format = format_to_write(path, options);
     Encoded out;
     try {
-      SceneWriter writer(in, result, out.report);
-      writer.run();
+      SceneWriter writer(in, out.report);
+      writer.run(levels);
       carry_images(*in.scene, path, format == Format::glb, writer.output(), out);
       encode_gltf(writer.output(), path, format, options, false, out);
     } catch (const Json::exception&) {
@@ -265,6 +285,19 @@ Encoded encode_scene(const fs::path& path, const MeshFile& in, const SceneResult
     }
     if (is_gzip_name(path)) out.bytes = gzipped(out.bytes);
     return out;
+  });
+}
+
+Encoded encode_scene(const fs::path& path, const MeshFile& in, const SceneResult& result,
+                     const WriteOptions& options) {
+  return encode_scene_levels(path, in, {{result, {}}}, options);
+}
+
+bool has_levels(const MeshFile& file) {
+  if (!file.scene || !file.scene->document.contains("nodes")) return false;
+  const Json& nodes = file.scene->document["nodes"];
+  return std::any_of(nodes.begin(), nodes.end(), [](const Json& node) {
+    return node.contains(Json::json_pointer("/extensions/MSFT_lod"));
   });
 }
 

@@ -245,10 +245,9 @@ Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, 
   });
 }
 
-WriteReport write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
-                       const WriteOptions& options, const attributes::Attributes& attributes,
-                       const Parts& parts) {
-  Encoded encoded = encode_mesh(path, mesh, options, attributes, parts);
+namespace {
+
+WriteReport write_encoded(const std::filesystem::path& path, Encoded encoded) {
   if (encoded.companions.empty()) {
     write_file(path, encoded.bytes);
     return encoded.report;
@@ -261,8 +260,16 @@ WriteReport write_mesh(const std::filesystem::path& path, const IndexedMesh& mes
   return encoded.report;
 }
 
-Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels,
-                          const WriteOptions& options) {
+}  // namespace
+
+WriteReport write_mesh(const std::filesystem::path& path, const IndexedMesh& mesh,
+                       const WriteOptions& options, const attributes::Attributes& attributes,
+                       const Parts& parts) {
+  return write_encoded(path, encode_mesh(path, mesh, options, attributes, parts));
+}
+
+Encoded encode_levels(const std::filesystem::path& path, const std::vector<Level>& levels,
+                      const WriteOptions& options) {
   return naming(path, [&] {
     Encoded encoded;
     std::vector<attributes::Attributes> finite;
@@ -275,16 +282,14 @@ Encoded encode_glb_levels(const std::filesystem::path& path, const std::vector<L
       views.push_back({&level.mesh, &finite.back(), &level.parts, level.error});
     }
     GltfOutput document = gltf_of(views, encoded.report);
-    encode_gltf(document, path, Format::glb, options, true, encoded);
+    encode_gltf(document, path, format_to_write(path, options), options, true, encoded);
     if (is_gzip_name(path)) encoded.bytes = gzipped(encoded.bytes);
     return encoded;
   });
 }
 
-WriteReport write_glb_levels(const std::filesystem::path& path, const std::vector<Level>& levels) {
-  const Encoded encoded = encode_glb_levels(path, levels);
-  write_file(path, encoded.bytes);
-  return encoded.report;
+WriteReport write_levels(const std::filesystem::path& path, const std::vector<Level>& levels) {
+  return write_encoded(path, encode_levels(path, levels));
 }
 
 void check_writable(const std::filesystem::path& path, const WriteOptions& options) {

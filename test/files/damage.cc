@@ -62,7 +62,7 @@ std::vector<std::pair<std::string, std::string>> samples(const Folder& folder, s
     all.emplace_back(rich, folder.get(rich));
   }
   all.emplace_back("rich.gltf", gltf_text(gltf_square()));
-  write_glb_levels(folder / "levels.glb", {{square(), {square_texture()}, {}, 0}, {square(), {}, {}, 1}});
+  write_levels(folder / "levels.glb", {{square(), {square_texture()}, {}, 0}, {square(), {}, {}, 1}});
   all.emplace_back("levels.glb", folder.get("levels.glb"));
   all.emplace_back("rich.obj",
                    "mtllib a.mtl\no a\nv 0 0 0 1 1 1\nv 1 0 0\nv 1 1 -0.5e-3\nv 0 1 0\nvt 0 0\nvt 1 0 0\nvn "

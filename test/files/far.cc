@@ -40,7 +40,7 @@ TEST_CASE("far from the origin: all levels of detail count from one place") {
   const Folder folder;
   IndexedMesh coarse = surveyed();
   coarse.triangles.resize(10);
-  write_glb_levels(folder / "a.glb", {{surveyed(), {}, {}, 0}, {coarse, {}, {}, 1}});
+  write_levels(folder / "a.glb", {{surveyed(), {}, {}, 0}, {coarse, {}, {}, 1}});
   const Json nodes = json_of(folder.get("a.glb"))["nodes"];
   CHECK(nodes[0]["translation"] == nodes[1]["translation"]);
 }

@@ -203,7 +203,7 @@ TEST_CASE("meshopt and quantize: .gltf, materials of their own, vertices of no f
 
   const DressedTorus torus;
   const std::vector<Level> levels{{torus.mesh, torus.attributes, {}, 0}, {square(), {}, {}, 1}};
-  const Encoded out = encode_glb_levels("c.glb", levels, packing(16, true));
+  const Encoded out = encode_levels("c.glb", levels, packing(16, true));
   const MeshFile first = folder.read("c.glb", out.bytes);
   CHECK(largest_move(torus.mesh, first, out.report) < 0.51 * extent_of(torus.mesh) / 65535);
   CHECK(json_of(out.bytes)["nodes"][1]["scale"][0].get<double>() == Approx(1 / 65535.0));

@@ -153,7 +153,7 @@ TEST_CASE("join: a file is written with the vertices doubled that it has been re
   CHECK(of_glb.first_vertex == std::vector<std::uint32_t>{0, 2, 3, 5});
   CHECK(of_glb.doubled_vertices == 2);
   const Level level{square(), {square_seam()}};
-  CHECK(write_glb_levels(folder / "b.glb", {level, level}).doubled_vertices == 4);
+  CHECK(write_levels(folder / "b.glb", {level, level}).doubled_vertices == 4);
 }
 
 TEST_CASE("join: closed surfaces of faces on their own are closed again") {

@@ -1,3 +1,4 @@
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "TorusFile.hh"
@@ -94,5 +95,43 @@ TEST_CASE("lods reports a level out of reach, and refuses parameters out of rang
     INFO(more[0] << " " << more[1]);
     CHECK(bad.code == 2);
     CHECK(bad.error_lines() == 1);
+  }
+}
+
+TEST_CASE("lods keeps a scene, and gives each mesh its levels once") {
+  const TorusFile in;
+  const std::string glb = in.folder / "torus.glb";
+  REQUIRE(whittle_program({"simplify", in.path, glb, "--ratio", "1", "--quiet"}).code == 0);
+  const auto json_of = [](const std::string& path) {
+    const std::string bytes = programs::contents(path);
+    return Json::parse(bytes.substr(0, 4) == "glTF" ? bytes.substr(20, bytes.find("BIN", 20) - 24) : bytes);
+  };
+  // A second node that shows the mesh.
+  Json json = json_of(glb);
+  json["nodes"].push_back({{"mesh", 0}, {"name", "second"}, {"translation", {9, 0, 0}}});
+  json["scenes"][0]["nodes"] = {0, 1};
+  const std::string whole = programs::contents(glb);
+  json["buffers"][0]["uri"] = "torus.bin";
+  std::ofstream(in.folder / "torus.bin", std::ios::binary) << whole.substr(whole.find("BIN", 20) + 4);
+  std::ofstream(in.folder / "two.gltf") << json.dump();
+  for (const std::string out : {"out.glb", "out.gltf"}) {
+    const auto done = whittle_program({"lods", in.folder / "two.gltf", "--levels", "3", "--samples", "900",
+                                       "--out", in.folder / out, "--json", "-"});
+    INFO(done.err);
+    REQUIRE(done.code == 0);
+    const Json figures = Json::parse(done.out), written = json_of(in.folder / out);
+    REQUIRE(written["meshes"].size() == 3);
+    REQUIRE(written["nodes"].size() == 6);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto accessor = written["meshes"][i]["primitives"][0]["indices"].get<std::size_t>();
+      CHECK(written["accessors"][accessor]["count"] == 3 * figures["levels"][i]["faces"].get<std::size_t>());
+    }
+    CHECK(figures["levels"][1]["faces"] == 1344);
+    CHECK(written["nodes"][1]["name"] == "second");
+    CHECK(written["nodes"][1]["extensions"]["MSFT_lod"]["ids"].size() == 2);
+    const auto again = whittle_program({"lods", in.folder / out, "--out", in.folder / "again.glb"});
+    CHECK(again.code == 2);
+    CHECK_THAT(again.err, Contains("has levels of detail already"));
+    CHECK(files::read_mesh(in.folder / out).mesh.triangles.size() == 2 * 2688);
   }
 }
