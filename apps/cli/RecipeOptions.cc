@@ -275,7 +275,7 @@ std::vector<std::string> drop_attributes(const RecipeOptions& options, const std
   if (has_word(options.drop, "materials")) in.parts.drop_materials();
   std::vector<std::string> left_out;
   if (in.scene) return left_out;  // glTF holds all that was read of it
-  if (in.parts.has_materials() && !files::holds_materials(out, format)) {
+  if (in.parts.has_materials() && !files::holds_materials(out, format, in.parts)) {
     in.parts.drop_materials();
     left_out.push_back("materials");
   }

@@ -83,9 +83,11 @@ void GltfWriter::add_materials(const Parts& parts) {
 std::optional<std::size_t> GltfWriter::add_image(const Image& image) {
   const std::optional<std::string> bytes =
       image.path.empty() ? std::optional(image.bytes) : bytes_of(image.path, CompanionCopier::kMost);
-  const ImageType* type = bytes ? image_type(*bytes) : nullptr;
+  const bool is_there = bytes && !bytes->empty();
+  const ImageType* type = is_there ? image_type(*bytes) : nullptr;
   if (type == nullptr || !type->is_plain) {
-    leave_out(report_, "image " + in_quotes(image.name) + (bytes ? ", which is neither PNG nor JPEG" : ""));
+    leave_out(report_,
+              "image " + in_quotes(image.name) + (is_there ? ", which is neither PNG nor JPEG" : ""));
     return std::nullopt;
   }
   Json out = {{"mimeType", type->mime}, {"bufferView", output_.add_view(*bytes)}};

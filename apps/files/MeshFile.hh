@@ -148,15 +148,15 @@ std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
                                          const std::filesystem::path& path, const WriteOptions& options,
                                          const std::function<bool(const attributes::Attribute&)>& keeps);
 
-/// Whether a file of this name can say what its faces are made of.
+/// Whether a file of this name can say what its faces are made of. PLY can if there are images.
 /// \throw FileError  unknown format
-bool holds_materials(const std::filesystem::path& path, const WriteOptions& options = {});
+bool holds_materials(const std::filesystem::path& path, const WriteOptions& options, const Parts& parts);
 
 /// What a file could not take.
 struct WriteReport {
   std::vector<std::string> left_out;  ///< "colours", "property 'quality'"
   std::vector<std::string> reduced;   ///< lines: "colours rounded to 8 bits"
-  /// What became of the materials, a line: "materials in two.mtl"; empty: there are none
+  /// What became of the materials, a line: "materials in two.mtl", "textures a.png"; empty: there are none
   std::string materials;
   /// OBJ, PLY, OFF, GLB (of all levels): written again for values that differ at their corners
   std::size_t doubled_vertices = 0;

@@ -11,6 +11,7 @@
 namespace whittle::files {
 
 class GltfOutput;
+struct PlyImages;
 
 enum class Format { obj, off, ply, stl, om, glb, gltf, three_mf };
 
@@ -38,7 +39,9 @@ MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options
 /// \{
 MeshFile read_obj(std::string_view bytes, const ReadOptions& options, std::size_t& line);
 MeshFile read_off(std::string_view bytes, const ReadOptions& options, std::size_t& line);
-MeshFile read_ply(std::string_view bytes, const ReadOptions& options, std::size_t& line);
+/// \param path  of the file, in whose folder images may be
+MeshFile read_ply(std::string_view bytes, const ReadOptions& options, std::size_t& line,
+                  const std::filesystem::path& path);
 MeshFile read_stl(std::string_view bytes, const ReadOptions& options, std::size_t& line);
 MeshFile read_om(std::string_view bytes, const ReadOptions& options);
 MeshFile read_three_mf(std::string_view bytes, const ReadOptions& options);
@@ -75,7 +78,7 @@ std::string obj_bytes(const IndexedMesh& mesh, const attributes::Attributes& att
 std::string off_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
                       const WriteOptions& options, WriteReport& report);
 std::string ply_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                      const WriteOptions& options, WriteReport& report);
+                      const WriteOptions& options, const PlyImages& images, WriteReport& report);
 std::string stl_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
                       const WriteOptions& options, WriteReport& report);
 std::string three_mf_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,

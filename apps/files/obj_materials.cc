@@ -1,11 +1,9 @@
 #include "files/obj_materials.hh"
 
-#include <cctype>
-
 #include "files/Choice.hh"
 #include "files/beside.hh"
 #include "files/companions.hh"
-#include "files/image_type.hh"
+#include "files/image_names.hh"
 #include "files/mtl.hh"
 
 namespace whittle::files {
@@ -38,59 +36,37 @@ class LibraryCopier {
   CompanionCopier images_;
 };
 
-ObjMaterials own_library(const Parts& parts, const fs::path& path, bool copies) {
-  ObjMaterials out;
-  const std::string stem = path.stem().string();
-  std::vector<std::string> names;
-  CompanionCopier copier(path, out.companions);
-  for (const Image& image : parts.images) {
-    if (image.path.empty() && !image.bytes.empty()) {
-      names.push_back(add_companion(out.companions, path, image_file_name(image, stem), image.bytes));
-      out.companions.back().owner = path.parent_path() / (stem + ".mtl");
-    } else if (image.path.empty())
-      names.push_back(image.name);
-    else
-      names.push_back(copies ? copier.copy(image.path) : relative_name(image.path, path.parent_path()));
-  }
-  out.libraries.push_back(add_companion(out.companions, path, stem + ".mtl", mtl_text(parts, names)));
+/// \return what the new file calls it
+std::string own_library(const Parts& parts, const fs::path& path, bool copies, Encoded& out) {
+  const std::string name = path.stem().string() + ".mtl";
+  const std::vector<std::string> images = image_names(parts, path, copies, path.parent_path() / name, out);
+  const std::string written = add_companion(out.companions, path, name, mtl_text(parts, images));
   out.companions.back().owner = path;
-  return out;
+  return written;
 }
 
 }  // namespace
 
-ObjMaterials obj_materials(const Parts& parts, const fs::path& path, bool copies, WriteReport& report) {
-  ObjMaterials out;
-  if (!parts.has_materials()) return out;
+std::vector<std::string> obj_materials(const Parts& parts, const fs::path& path, bool copies, Encoded& out) {
+  if (!parts.has_materials()) return {};
   if (!parts.in_libraries) {
-    if (path != "-") return own_library(parts, path, copies);
-    leave_out(report, "materials, beside standard output");
-    return out;
+    if (path != "-") return {own_library(parts, path, copies, out)};
+    leave_out(out.report, "materials, beside standard output");
+    return {};
   }
+  std::vector<std::string> libraries;
   const fs::path folder = path == "-" ? fs::path() : path.parent_path();
   LibraryCopier copier(path, out.companions);
   for (const Library& library : parts.libraries) {
     const bool is_placed = !library.path.empty() && !fs::path(library.name).is_absolute();
     if (!is_placed)
-      out.libraries.push_back(library.name);
+      libraries.push_back(library.name);
     else if (copies && path != "-")
-      out.libraries.push_back(copier.copy(library));
+      libraries.push_back(copier.copy(library));
     else
-      out.libraries.push_back(relative_name(library.path, folder));
+      libraries.push_back(relative_name(library.path, folder));
   }
-  return out;
-}
-
-std::string image_file_name(const Image& image, const std::string& prefix) {
-  std::string name;
-  for (const char c : fs::path(image.name).stem().string()) {
-    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
-    name += is_plain ? c : '_';
-  }
-  constexpr std::size_t longest = 64;
-  const ImageType* type = image_type(image.bytes);
-  return prefix + "-" + (name.empty() ? "image" : name.substr(0, longest)) +
-         (type == nullptr ? ".img" : type->extension);
+  return libraries;
 }
 
 }  // namespace whittle::files

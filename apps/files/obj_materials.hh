@@ -9,19 +9,13 @@
 
 namespace whittle::files {
 
-struct ObjMaterials {
-  std::vector<std::string> libraries;  ///< as the OBJ file is to name them
-  std::vector<Companion> companions;   ///< to be written beside it
-};
-
 /// Libraries that the input named are referred to where they are, by a path from the new file's folder, or copied to it
 /// together with their images. Materials that come from another format get a library of their own, and images that were
 /// within the mesh's file one file each.
 /// \param path  of the OBJ file; "-" is standard output, beside which nothing is written
-ObjMaterials obj_materials(const Parts& parts, const std::filesystem::path& path, bool copies,
-                           WriteReport& report);
-
-/// A name for the file of an image that had none: of letters, digits, - and _, with the extension of its kind.
-std::string image_file_name(const Image& image, const std::string& prefix);
+/// \param out   whose companions are added to
+/// \return the libraries, as the OBJ file is to name them
+std::vector<std::string> obj_materials(const Parts& parts, const std::filesystem::path& path, bool copies,
+                                       Encoded& out);
 
 }  // namespace whittle::files

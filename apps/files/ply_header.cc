@@ -60,7 +60,7 @@ class HeaderReader {
 
  private:
   void read_statement(std::string_view keyword) {
-    if (keyword == "comment" && in_.word() == "TextureFile") header_.texture_file = true;
+    if (keyword == "comment" && in_.word() == "TextureFile") read_image();
     if (keyword == "obj_info") read_info();
     if (keyword == "comment" || keyword == "obj_info") return;
     if (keyword == "format")
@@ -72,6 +72,14 @@ class HeaderReader {
     else if (keyword != "end_header")
       throw Fault("unknown header line " + in_quotes(keyword));
     if (const std::string_view word = in_.word(); !word.empty()) throw Fault("unexpected " + in_quotes(word));
+  }
+
+  void read_image() {
+    const std::string_view name = in_.rest_of_line();
+    if (name.empty()) return;
+    if (header_.images.size() == most_declarations)
+      throw Fault("the header names more than " + std::to_string(most_declarations) + " images");
+    header_.images.emplace_back(name);
   }
 
   /// Of a range image; anything else may stand there, too.

@@ -36,7 +36,7 @@ enum class PlyEncoding { ascii, little_endian, big_endian };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  bool texture_file = false;                      ///< a comment names an image, as MeshLab writes it
+  std::vector<std::string> images;                ///< that comments name, as MeshLab writes them
   std::uint64_t grid_columns = 0, grid_rows = 0;  ///< obj_info num_cols, num_rows: of a range image
 
   /// The element of this name, null if there is none.

@@ -1,6 +1,7 @@
 /// \file
 /// Stanford PLY: any elements and properties in any order, as text or binary of either byte order.
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "files/MeshBuilder.hh"
 #include "files/PlyColumns.hh"
 #include "files/PlyFaceColours.hh"
+#include "files/PlyTextures.hh"
 #include "files/TextReader.hh"
 #include "files/bytes.hh"
 #include "files/formats.hh"
@@ -27,6 +29,11 @@ bool is_corner_list(const PlyProperty& property) {
 /// Two numbers for each corner, as MeshLab writes them.
 bool is_texture_list(const PlyProperty& property) {
   return property.is_list && property.name == "texcoord";
+}
+
+/// Which of the images that the header names a face has.
+bool is_image_number(const PlyProperty& property) {
+  return !property.is_list && property.name == "texnumber" && ply_is_integer(property.type);
 }
 
 /// \param property  of a face
@@ -51,12 +58,17 @@ template <typename Values>
 class BodyReader {
  public:
   BodyReader(const PlyHeader& header, Values& values, MeshFile& file, const ReadOptions& options)
-      : header_(header), values_(values), file_(file), builder_(file, options) {
+      : header_(header),
+        values_(values),
+        file_(file),
+        builder_(file, options),
+        textures_(header.images.size()) {
     texture_.kind = attributes::Kind::texture;
     texture_.components = 2;
   }
 
-  void read() {
+  /// \param path  of the file
+  void read(const std::filesystem::path& path) {
     const PlyElement* vertex = header_.find("vertex");
     if (vertex == nullptr) throw Fault("the header has no element vertex");
     vertices_ = vertex->count;
@@ -71,8 +83,7 @@ class BodyReader {
       else
         skip_element(element);
     }
-    finish_faces();
-    if (header_.texture_file) builder_.ignore("texture image");
+    finish_faces(path);
     settle(file_);
   }
 
@@ -119,11 +130,14 @@ class BodyReader {
     colours_.emplace(element, header_.find("vertex"), builder_);
     const PlyProperty* corner_list = nullptr;
     const PlyProperty* texture_list = nullptr;
+    const PlyProperty* image = nullptr;
     for (const PlyProperty& property : element.properties) {
       if (is_corner_list(property) && corner_list == nullptr)
         corner_list = &property;
       else if (is_texture_list(property))
         texture_list = &property;
+      else if (is_image_number(property) && textures_.any())
+        image = &property;
       else if (!colours_->has(static_cast<std::size_t>(&property - element.properties.data())))
         builder_.ignore(unread_name(property.name));
     }
@@ -131,6 +145,7 @@ class BodyReader {
     if (!ply_is_integer(corner_list->type)) throw Fault("the vertex indices are not integers");
 
     file_.mesh.triangles.reserve(element.count);
+    textures_.add_faces(file_.mesh.triangles.size());  // those of strips
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values_.begin_line();
       texture_numbers_.clear();
@@ -140,6 +155,8 @@ class BodyReader {
           read_corners(property);
         else if (&property == texture_list)
           read_texture(property);
+        else if (&property == image)
+          textures_.set(values_.integer(property.type));
         else if (colours_->takes(k))
           colours_->set(k, property.type, values_.real(property.type));
         else
@@ -147,6 +164,7 @@ class BodyReader {
       }
       end_line();
       add_face();
+      textures_.add_faces(file_.mesh.triangles.size());
     }
   }
 
@@ -178,8 +196,9 @@ class BodyReader {
   }
 
   /// To be called when all is read.
-  void finish_faces() {
+  void finish_faces(const std::filesystem::path& path) {
     if (grid_) grid_->add_faces(builder_);
+    textures_.finish(header_.images, path, file_);
     if (!colours_) return;  // there is no face
     builder_.cut_late({&texture_of_, &colours_->all()});
     builder_.add_attribute(std::move(texture_), texture_of_);
@@ -247,6 +266,7 @@ class BodyReader {
   CornerValues texture_of_;
   std::optional<PlyFaceColours> colours_;
   std::optional<PlyGrid> grid_;
+  PlyTextures textures_;
   std::uint64_t vertices_ = 0;
   std::vector<std::uint32_t> corners_;
   std::vector<float> texture_numbers_;  ///< of the face at hand
@@ -258,14 +278,15 @@ bool is_ply(std::string_view bytes) {
   return bytes.substr(0, 4) == "ply\n" || bytes.substr(0, 5) == "ply\r\n";
 }
 
-MeshFile read_ply(std::string_view bytes, const ReadOptions& options, std::size_t& line) {
+MeshFile read_ply(std::string_view bytes, const ReadOptions& options, std::size_t& line,
+                  const std::filesystem::path& path) {
   MeshFile file;
   TextReader in(bytes, line, {});
   const PlyHeader header = read_ply_header(in);
   if (header.encoding == PlyEncoding::ascii) {
     file.report.format = "PLY, ASCII";
     PlyText values(in);
-    BodyReader<PlyText>(header, values, file, options).read();
+    BodyReader<PlyText>(header, values, file, options).read(path);
     if (in.next_line()) throw Fault("there is more in the file than its header declares");
   } else {
     const bool little = header.encoding == PlyEncoding::little_endian;
@@ -273,7 +294,7 @@ MeshFile read_ply(std::string_view bytes, const ReadOptions& options, std::size_
     PlyBytes values(in.rest(), little ? ByteOrder::little : ByteOrder::big);
     line = 0;
     BodyReader<PlyBytes> reader(header, values, file, options);
-    reader.read();
+    reader.read(path);
     if (values.remaining() > 0) reader.ignore("bytes after the last element");
   }
   return file;

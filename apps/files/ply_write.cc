@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/Choice.hh"
+#include "files/PlyTextures.hh"
 #include "files/TextWriter.hh"
 #include "files/bytes.hh"
 #include "files/formats.hh"
@@ -77,6 +78,7 @@ class TextBody {
   void begin_list(std::uint8_t length) { out_ << std::uint64_t{length}; }
   void next_list(std::uint8_t length) { byte(length); }
   void index(std::uint32_t index) { out_ << " " << std::uint64_t{index}; }
+  void number(std::int32_t number) { out_ << (" " + std::to_string(number)).c_str(); }
   void end_line() { out_ << "\n"; }
   std::string take() { return out_.take(); }
 
@@ -102,6 +104,7 @@ class ByteBody {
   void begin_list(std::uint8_t length) { byte(length); }
   void next_list(std::uint8_t length) { byte(length); }
   void index(std::uint32_t index) { append_little(bytes_, index); }
+  void number(std::int32_t number) { append_little(bytes_, number); }
   void end_line() {}
   std::string take() { return std::move(bytes_); }
 
@@ -131,7 +134,8 @@ void write_vertex(Body& body, const Choice& choice, std::size_t vertex) {
 }
 
 template <typename Body>
-std::string body_of(const IndexedMesh& mesh, const Choice& choice, bool single_precision) {
+std::string body_of(const IndexedMesh& mesh, const Choice& choice, const PlyImages& images,
+                    bool single_precision) {
   Body body(single_precision);
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     body.point(mesh.points[i]);
@@ -149,6 +153,7 @@ std::string body_of(const IndexedMesh& mesh, const Choice& choice, bool single_p
         body.real(v_of(*choice.texture, value, false));
       }
     }
+    if (!images.of_face.empty()) body.number(images.of_face[face]);
     body.end_line();
   }
   return body.take();
@@ -157,7 +162,7 @@ std::string body_of(const IndexedMesh& mesh, const Choice& choice, bool single_p
 }  // namespace
 
 std::string ply_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                      const WriteOptions& options, WriteReport& report) {
+                      const WriteOptions& options, const PlyImages& images, WriteReport& report) {
   Choice choice =
       choose(attributes, {Place::vertices, Place::vertices, Place::corners, Place::vertices}, report);
   const std::string real = options.single_precision ? "float" : "double";
@@ -165,15 +170,18 @@ std::string ply_bytes(const IndexedMesh& mesh, const attributes::Attributes& att
   const bool fits_int = mesh.points.size() <= std::size_t{std::numeric_limits<std::int32_t>::max()};
   std::string bytes = "ply\nformat ";
   bytes += options.ascii ? "ascii" : "binary_little_endian";
-  bytes += " 1.0\nelement vertex " + std::to_string(mesh.points.size());
+  bytes += " 1.0";
+  for (const std::string& name : images.names) bytes += "\ncomment TextureFile " + name;
+  bytes += "\nelement vertex " + std::to_string(mesh.points.size());
   for (const char* axis : {"x", "y", "z"}) bytes += "\nproperty " + real + " " + axis;
   bytes += describe_vertices(choice, report).text();
   bytes += "\nelement face " + std::to_string(mesh.triangles.size());
   bytes += std::string("\nproperty list uchar ") + (fits_int ? "int" : "uint") + " vertex_indices";
   if (choice.texture && !choice.texture->per_vertex()) bytes += "\nproperty list uchar float texcoord";
+  if (!images.of_face.empty()) bytes += "\nproperty int texnumber";
   bytes += "\nend_header\n";
-  return bytes +
-         (options.ascii ? body_of<TextBody> : body_of<ByteBody>)(mesh, choice, options.single_precision);
+  return bytes + (options.ascii ? body_of<TextBody> : body_of<ByteBody>)(mesh, choice, images,
+                                                                         options.single_precision);
 }
 
 }  // namespace whittle::files

@@ -90,7 +90,7 @@ MeshFile read_format(std::string_view bytes, Format format, const ReadOptions& o
     case Format::off:
       return read_off(bytes, options, line);
     case Format::ply:
-      return read_ply(bytes, options, line);
+      return read_ply(bytes, options, line, path);
     case Format::stl:
       return read_stl(bytes, options, line);
     case Format::om:

@@ -1,5 +1,6 @@
 /// \file
 /// From a mesh to a file.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "files/Fault.hh"
 #include "files/GltfOutput.hh"
 #include "files/Outputs.hh"
+#include "files/PlyTextures.hh"
 #include "files/formats.hh"
 #include "files/gzip.hh"
 #include "files/obj_materials.hh"
@@ -102,22 +104,35 @@ void check_parts(const IndexedMesh& mesh, const Parts& parts) {
 }
 
 /// "materials in a.mtl, b.mtl": for people.
-std::string where_materials_are(const std::vector<std::string>& libraries,
+std::string where_materials_are(const char* what, const std::vector<std::string>& names,
                                 const std::vector<Companion>& companions) {
   std::string text;
-  for (const std::string& library : libraries) text += (text.empty() ? "materials in " : ", ") + library;
+  for (const std::string& name : names) text += (text.empty() ? what : ", ") + name;
   for (std::size_t i = 0; i < companions.size(); ++i)
     text += (i == 0 ? "; written beside: " : ", ") + companions[i].path.filename().string();
   return text;
 }
 
+bool has_images(const Parts& parts) {
+  return std::any_of(parts.materials.begin(), parts.materials.end(),
+                     [](const Material& material) { return material.image.has_value(); });
+}
+
 void encode_obj(const std::filesystem::path& path, const IndexedMesh& mesh,
                 const attributes::Attributes& attributes, const WriteOptions& options, const Parts& parts,
                 Encoded& out) {
-  ObjMaterials beside = obj_materials(parts, path, options.copy_materials, out.report);
-  out.bytes = obj_bytes(mesh, attributes, options, parts, beside.libraries, out.report);
-  out.report.materials = where_materials_are(beside.libraries, beside.companions);
-  out.companions = std::move(beside.companions);
+  const std::vector<std::string> libraries = obj_materials(parts, path, options.copy_materials, out);
+  out.bytes = obj_bytes(mesh, attributes, options, parts, libraries, out.report);
+  out.report.materials = where_materials_are("materials in ", libraries, out.companions);
+}
+
+void encode_ply(const std::filesystem::path& path, const IndexedMesh& mesh,
+                const attributes::Attributes& attributes, const WriteOptions& options, const Parts& parts,
+                Encoded& out) {
+  PlyImages images;
+  if (has_images(parts)) images = ply_images(parts, path, options.copy_materials, out);
+  out.bytes = ply_bytes(mesh, attributes, options, images, out.report);
+  out.report.materials = where_materials_are("textures ", images.names, out.companions);
 }
 
 /// Whether a format can hold an attribute.
@@ -128,8 +143,9 @@ bool can_hold(Format format, const Attribute& attribute) {
   return attribute.kind != Kind::scalar || format == Format::ply || is_gltf(format);
 }
 
-bool can_hold_materials(Format format) {
-  return format == Format::obj || is_gltf(format);
+/// PLY has nothing but the images.
+bool can_hold_materials(Format format, const Parts& parts) {
+  return format == Format::obj || is_gltf(format) || (format == Format::ply && has_images(parts));
 }
 
 /// Whether a format has values of a kind at vertices only, and more vertices help.
@@ -179,7 +195,7 @@ void encode_as(const std::filesystem::path& path, const IndexedMesh& mesh,
     report.first_vertex = std::move(split.first);
     return encode_as(path, split.mesh, split.attributes, options, format, parts, out);
   }
-  if (!can_hold_materials(format) && parts.has_materials()) leave_out(report, "materials");
+  if (!can_hold_materials(format, parts) && parts.has_materials()) leave_out(report, "materials");
   switch (format) {
     case Format::obj:
       return encode_obj(path, mesh, attributes, options, parts, out);
@@ -187,8 +203,7 @@ void encode_as(const std::filesystem::path& path, const IndexedMesh& mesh,
       out.bytes = off_bytes(mesh, attributes, options, report);
       break;
     case Format::ply:
-      out.bytes = ply_bytes(mesh, attributes, options, report);
-      break;
+      return encode_ply(path, mesh, attributes, options, parts, out);
     case Format::stl:
       out.bytes = stl_bytes(mesh, attributes, options, report);
       break;
@@ -231,8 +246,8 @@ bool holds_scenes(const std::filesystem::path& path, const WriteOptions& options
   return naming(path, [&] { return is_gltf(format_to_write(path, options)); });
 }
 
-bool holds_materials(const std::filesystem::path& path, const WriteOptions& options) {
-  return naming(path, [&] { return can_hold_materials(format_to_write(path, options)); });
+bool holds_materials(const std::filesystem::path& path, const WriteOptions& options, const Parts& parts) {
+  return naming(path, [&] { return can_hold_materials(format_to_write(path, options), parts); });
 }
 
 Encoded encode_mesh(const std::filesystem::path& path, const IndexedMesh& mesh, const WriteOptions& options,

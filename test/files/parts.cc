@@ -205,11 +205,12 @@ TEST_CASE("materials: from OBJ to GLB and back, with image and opacity") {
 TEST_CASE("materials: formats without them leave them out, and say so") {
   const Folder folder;
   const MeshFile file = folder.read("a.obj", two_parts());
-  for (const std::string name : {"b.stl", "b.off", "b.om"})
+  for (const std::string name : {"b.stl", "b.off", "b.om", "b.ply"})
     CHECK_THAT(write_mesh(folder / name, file.mesh, {}, {}, file.parts).left_out,
                Catch::Matchers::VectorContains(std::string("materials")));
-  CHECK(holds_materials("a.obj"));
-  CHECK_FALSE(holds_materials("a.stl"));
+  CHECK(holds_materials("a.obj", {}, file.parts));
+  CHECK_FALSE(holds_materials("a.stl", {}, file.parts));
+  CHECK_FALSE(holds_materials("a.ply", {}, file.parts));
 }
 
 TEST_CASE("materials: parts that do not fit the mesh are not written") {

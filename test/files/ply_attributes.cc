@@ -88,8 +88,8 @@ TEST_CASE("PLY: texture coordinates of corners, as MeshLab writes them, along a 
   REQUIRE(file.attributes.size() == 1);
   CHECK(file.attributes[0].corners == Triangles{{0, 1, 2}, {0, 2, 3}, {4, 0, 2}});
   CHECK(file.attributes[0].values == std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1, 0.5F, 0.5F});
-  CHECK(file.report.ignored == Names{"texture coordinates of vertices, as the faces have some",
-                                     "face property 'texnumber'", "texture image"});
+  CHECK(file.report.ignored == Names{"texture coordinates of vertices, as the faces have some"});
+  CHECK(file.report.not_found == std::set<std::string>{"a.png"});
 
   const MeshFile some =
       folder.read("a.ply", header(elements) + vertices + "0 3 0 1 2 0\n6 0.5 0.5 0 0 1 1 3 0 2 3 0\n");

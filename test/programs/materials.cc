@@ -79,6 +79,28 @@ TEST_CASE("the border between materials moves and does not melt, whatever the mo
   CHECK(in.disc_area("out.obj") == Approx(before).epsilon(0.03));
 }
 
+TEST_CASE("PLY: the border between two images moves and does not melt") {
+  const DiscFile in;
+  files::MeshFile file = files::read_mesh(in.folder / "in.obj");
+  file.parts.in_libraries = false;
+  file.parts.images = {{"plate.png", in.folder.path() / "plate.png"},
+                       {"disc.png", in.folder.path() / "disc.png"}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::ofstream(file.parts.images[i].path) << "image";
+    file.parts.materials[i].image = i;
+    file.parts.materials[i].colour = {1, 1, 1, 1};
+  }
+  files::write_mesh(in.folder / "in.ply", file.mesh, {}, {}, file.parts);
+  REQUIRE(in.disc_area("in.ply") == Approx(in.disc_area("in.obj")));
+  const auto done = whittle_program({"simplify", in.folder / "in.ply", in.folder / "out.ply", "--ratio",
+                                     "0.2", "--json", in.folder / "json"});
+  CHECK(done.code == 0);
+  CHECK(done.err.empty());
+  CHECK_THAT(done.out, Contains("textures plate.png, disc.png"));
+  CHECK(Json::parse(programs::contents(in.folder / "json"))["charts"]["before"] == 2);
+  CHECK(in.disc_area("out.ply") == Approx(in.disc_area("in.obj")).epsilon(0.03));
+}
+
 TEST_CASE("materials that are dropped, or that the format does not hold, make no seams") {
   const DiscFile in;
   const auto charts = [&](const std::string& out, std::vector<std::string> more) {
