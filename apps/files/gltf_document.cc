@@ -114,7 +114,7 @@ bool can_do_without(const std::string& extension) {
                                 "EXT_lights_", "KHR_xmp", "MSFT_lod"})
     if (extension.rfind(beginning, 0) == 0) return true;
   return extension == "KHR_mesh_quantization" || extension == "EXT_meshopt_compression" ||
-         extension == "KHR_draco_mesh_compression";
+         extension == "KHR_draco_mesh_compression" || extension == "EXT_mesh_gpu_instancing";
 }
 
 void check_extensions(const Json& json) {

@@ -15,12 +15,19 @@
 
 namespace whittle::files {
 
+/// Accessors of the places of a node's instances, by EXT_mesh_gpu_instancing. -1: there is none.
+struct GltfPlaces {
+  int translation = -1, rotation = -1, scale = -1;
+  bool any() const { return translation >= 0 || rotation >= 0 || scale >= 0; }
+};
+
 /// A mesh of the document, at a place of the scene.
 struct GltfInstance {
   std::size_t mesh = 0;
   Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
   std::string name = {};    ///< of the node
   bool is_skinned = false;  ///< its own transform does not count then
+  GltfPlaces places = {};   ///< where the mesh is shown instead of once
 };
 
 struct GltfBuffer {

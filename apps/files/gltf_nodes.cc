@@ -60,6 +60,23 @@ std::string name_of(const Json& node) {
   return name != node.end() && name->is_string() ? name->get<std::string>() : std::string();
 }
 
+/// Of the instances that a node shows.
+GltfPlaces places_of(const Json& node) {
+  const Json::json_pointer place("/extensions/EXT_mesh_gpu_instancing/attributes");
+  GltfPlaces places;
+  if (!node.contains(place)) return places;
+  const Json& attributes = node[place];
+  const auto accessor = [&](const char* key, int& number) {
+    constexpr std::size_t most = std::size_t{1} << 31;
+    const auto found = attributes.find(key);
+    if (found != attributes.end()) number = static_cast<int>(checked_index(*found, most, key));
+  };
+  accessor("TRANSLATION", places.translation);
+  accessor("ROTATION", places.rotation);
+  accessor("SCALE", places.scale);
+  return places;
+}
+
 class Walk {
  public:
   /// \param builder  for notes; null: nothing is noted
@@ -98,8 +115,8 @@ class Walk {
     const Json& node = nodes_[next.node];
     const Matrix4d transform = transforms_[next.parent] * transform_of(node);
     if (const auto mesh = node.find("mesh"); mesh != node.end())
-      instances_.push_back(
-          {checked_index(*mesh, meshes_, "mesh"), transform, name_of(node), node.contains("skin")});
+      instances_.push_back({checked_index(*mesh, meshes_, "mesh"), transform, name_of(node),
+                            node.contains("skin"), places_of(node)});
     if (const auto extensions = node.find("extensions"); extensions != node.end() && builder_)
       note(*extensions);
     push(index_list(node, "children", nodes_.size()), transform);
@@ -111,7 +128,7 @@ class Walk {
       if (name == "MSFT_lod" && value.is_object()) {
         const std::size_t levels = index_list(value, "ids", nodes_.size()).size();
         builder_->ignore(std::to_string(levels) + " coarser level" + (levels == 1 ? "" : "s") + " of detail");
-      } else {
+      } else if (name != "EXT_mesh_gpu_instancing") {
         builder_->ignore("extension " + in_quotes(name));
       }
     }

@@ -10,6 +10,7 @@
 #include "files/bytes.hh"
 #include "files/formats.hh"
 #include "files/gltf_document.hh"
+#include "files/gltf_instances.hh"
 #include "files/gltf_uri.hh"
 #include "files/scene_layout.hh"
 
@@ -114,7 +115,7 @@ tinygltf::Model parse_model(const std::string& json) {
 void read_flat(const GltfDocument& document, const tinygltf::Model& model, GltfData& data,
                const std::filesystem::path& path, MeshFile& file, MeshBuilder& builder) {
   GltfScene scene(file, builder, data, nullptr, texture_uses(document.looks));
-  for (const GltfInstance& instance : document.instances) {
+  for (const GltfInstance& instance : each_instance(document.instances, data)) {
     if (instance.mesh >= model.meshes.size()) throw Fault("a mesh that is not there");
     for (const tinygltf::Primitive& primitive : model.meshes[instance.mesh].primitives)
       scene.add(primitive, instance.transform, instance.name);
@@ -137,7 +138,7 @@ void read_kept(const GltfDocument& document, const tinygltf::Model& model, GltfD
   scene.finish();
   read_gltf_materials(document.looks, data, kept->path, file, texture_uses(document.looks));
   tell_looks_apart(*kept, file.parts);
-  arrange(*kept, document.instances, model.meshes.size(), file);
+  arrange(*kept, each_instance(document.instances, data), model.meshes.size(), file);
   file.diagonal = kept->diagonal;
   file.scene = std::move(kept);
 }

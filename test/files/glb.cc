@@ -2,6 +2,7 @@
 /// glTF: as written, and documents by hand.
 #include <nlohmann/json.hpp>
 
+#include "files/Scene.hh"
 #include "files/bytes.hh"
 #include "gltf_samples.hh"
 #include "meshes.hh"
@@ -115,6 +116,34 @@ TEST_CASE("glTF: transforms of nodes, one above the other") {
 
   json["nodes"] = {{{"mesh", 0}, {"scale", {1, 1, 0}}}};  // has no inverse
   CHECK(find(folder.read("a.gltf", gltf_text(json)).attributes, Kind::normal).values[2] == 1);
+}
+
+TEST_CASE("glTF: a mesh is shown by each of a node's instances") {
+  const Folder folder;
+  GltfBuilder built = square_builder();
+  const int places = built.floats({0, 0, 0, 10, 0, 0}, "VEC3", 3);
+  const int turns = built.floats({0, 0, 0, 1, 0, 0, 1, 0}, "VEC4", 4);
+  const int scales = built.floats({1, 1, 1, 3, 3, 3}, "VEC3", 3);
+  Json& attributes = built.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  attributes = {{"TRANSLATION", places}, {"ROTATION", turns}, {"SCALE", scales}};
+  built.json["nodes"][0]["translation"] = {0, 5, 0};
+  built.json["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
+  const MeshFile file = folder.read("a.gltf", gltf_text(built.json));
+  CHECK(file.report.ignored.empty());
+  REQUIRE(file.mesh.points.size() == 8);
+  CHECK(file.mesh.points[2] == IndexedMesh::Point(square().points[2] + IndexedMesh::Point(0, 5, 0)));
+  CHECK((file.mesh.points[6] - IndexedMesh::Point(7, 2, 3 * square().points[2][2])).norm() < 1e-6);
+
+  // As part of a scene it counts as large as its largest instance.
+  ReadOptions options;
+  options.keep_scene = true;
+  CHECK(read_mesh(folder / "a.gltf", options).scene->placements.at(0).scale == Approx(3));
+  attributes["SCALE"] = built.floats({1, 1, 1}, "VEC3", 3);
+  CHECK(folder.error("a.gltf", gltf_text(built.json)) == "a.gltf: instances have values of different number");
+  attributes = {{"SCALE", turns}};
+  CHECK(folder.error("a.gltf", gltf_text(built.json)) == "a.gltf: instances have values of the wrong kind");
+  attributes = {{"SCALE", -1}};
+  CHECK(folder.error("a.gltf", gltf_text(built.json)) == "a.gltf: its JSON is damaged: wrong 'SCALE'");
 }
 
 TEST_CASE("glTF: parts are joined, and what they lack is made up for") {

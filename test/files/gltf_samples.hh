@@ -57,7 +57,7 @@ class GltfBuilder {
 };
 
 /// square() with its normals, in a scene of one node. Its accessors: positions, normals, indices.
-inline Json gltf_square() {
+inline GltfBuilder square_builder() {
   GltfBuilder built;
   std::vector<float> points;
   for (const IndexedMesh::Point& point : square().points)
@@ -71,7 +71,10 @@ inline Json gltf_square() {
   built.json["nodes"] = {{{"mesh", 0}}};
   built.json["scenes"] = {{{"nodes", {0}}}};
   built.json["scene"] = 0;
-  return built.json;
+  return built;
+}
+inline Json gltf_square() {
+  return square_builder().json;
 }
 
 inline std::string gltf_text(const Json& json) {
