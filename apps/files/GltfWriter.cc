@@ -21,6 +21,7 @@ using attributes::Attribute;
 using Json = GltfOutput::Json;
 
 constexpr int kPoints = 0, kTriangles = 4;
+constexpr const char* kTextureTransform = "KHR_texture_transform";
 
 bool is_plain_text(const std::string& name) {
   return !name.empty() &&
@@ -31,6 +32,11 @@ Json gltf_material(const Material& material, std::optional<std::size_t> texture)
   Json base = {{"metallicFactor", 0}};  // what other formats know of colours is not of metal
   if (material.colour != Material().colour) base["baseColorFactor"] = material.colour;
   if (texture) base["baseColorTexture"] = {{"index", *texture}};
+  if (texture && material.is_texture_moved()) {
+    const auto [u, v] = material.texture_scale;  // v counts downwards in glTF
+    base["baseColorTexture"]["extensions"][kTextureTransform] = {
+        {"scale", {u, v}}, {"offset", {material.texture_offset[0], 1 - v - material.texture_offset[1]}}};
+  }
   Json out = {{"pbrMetallicRoughness", std::move(base)}};
   if (!material.name.empty()) out["name"] = material.name;
   if (material.alpha != Material::Alpha::opaque)
@@ -74,9 +80,13 @@ void GltfWriter::add_materials(const Parts& parts) {
     if (source) document["textures"].push_back({{"source", *source}});
     texture_of.push_back(source ? std::optional(document["textures"].size() - 1) : std::nullopt);
   }
-  for (const Material& material : parts.materials)
-    document["materials"].push_back(
-        gltf_material(material, material.image ? texture_of[*material.image] : std::nullopt));
+  bool is_moved = false;
+  for (const Material& material : parts.materials) {
+    const std::optional<std::size_t> texture = material.image ? texture_of[*material.image] : std::nullopt;
+    document["materials"].push_back(gltf_material(material, texture));
+    is_moved = is_moved || (texture && material.is_texture_moved());
+  }
+  if (is_moved) document["extensionsUsed"] = Json::array({kTextureTransform});
 }
 
 /// \return none: it cannot be read, or glTF has no images of its kind

@@ -27,10 +27,15 @@ struct Material {
   std::string name;
   std::array<double, 4> colour = {1, 1, 1, 1};  ///< base colour and opacity, 0..1; OBJ's Kd and d
   std::optional<std::size_t> image = {};        ///< of the base colour, among Parts::images; OBJ's map_Kd
-  /// How many times across the image a texture coordinate of 1 is, where a scene keeps the transform of the two apart
-  std::array<double, 2> texture_scale = {1, 1};
+  /// Where on the image a texture coordinate is: times the first, plus the second, v upwards. OBJ's -s and -o; of a scene,
+  /// which keeps the transform itself, only how large the first is
+  std::array<double, 2> texture_scale = {1, 1}, texture_offset = {0, 0};
   Alpha alpha = Alpha::opaque;  ///< what opacity means, as glTF has it
   double cutoff = 0.5;          ///< below which a mask is not seen
+
+  bool is_texture_moved() const {
+    return texture_scale != Material().texture_scale || texture_offset != Material().texture_offset;
+  }
 };
 
 /// What a file says of the faces that follow: OBJ's usemtl, o, g and s.

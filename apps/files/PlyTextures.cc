@@ -44,7 +44,7 @@ PlyImages ply_images(const Parts& parts, const fs::path& path, bool copies, Enco
   bool is_less = false;
   for (const Material& material : parts.materials) {
     const std::string name = material.image ? names[*material.image] : "";
-    is_less = is_less || name.empty() || material.colour != Material().colour;
+    is_less = is_less || name.empty() || material.colour != Material().colour || material.is_texture_moved();
     of_material.push_back(-1);
     if (name.empty()) continue;
     if (!fits_a_line(name)) {

@@ -34,7 +34,7 @@ void connect_level_views(nlohmann::json& document, const std::vector<LevelView>&
   const std::vector<double> coverage = screen_coverage(diagonal_of(*levels[0].mesh), errors);
   if (!coverage.empty()) first["extras"]["MSFT_screencoverage"] = coverage;
   first["extensions"]["MSFT_lod"]["ids"] = std::move(others);
-  document["extensionsUsed"] = nlohmann::json::array({"MSFT_lod"});
+  document["extensionsUsed"].push_back("MSFT_lod");
 }
 
 }  // namespace

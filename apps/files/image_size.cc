@@ -1,6 +1,7 @@
 #include "files/image_size.hh"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -68,7 +69,7 @@ std::optional<ImageSize> texture_image_size(const Parts& parts) {
   const auto size = image.path.empty() ? image_size(image.bytes) : image_size(head_of(image.path));
   if (!size) return std::nullopt;
   const auto times = [](std::uint32_t pixels, double scale) {
-    const double all = pixels * scale;
+    const double all = pixels * std::abs(scale);
     return all >= 1 && all < 1e9 ? static_cast<std::uint32_t>(all + 0.5) : pixels;
   };
   return ImageSize{times(size->width, material->texture_scale[0]),

@@ -57,8 +57,26 @@ bool names_image(std::string_view keyword) {
   return keyword.substr(0, 4) == "map_" && keyword != "map_aat";
 }
 
-/// The name of the image at the end of what follows a keyword; before it there may be options.
-std::string_view image_name(std::string_view text) {
+/// What follows a keyword that names an image.
+struct ImageUse {
+  std::string_view name;
+  std::array<double, 2> scale = {1, 1}, offset = {0, 0};  ///< -s and -o
+};
+
+/// One to three numbers, of which the first two count. \return what is behind them
+std::string_view take_numbers(std::string_view text, std::array<double, 2>& to) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::string_view behind = text;
+    const std::optional<double> value = number(take_word(behind));
+    if (!value && i > 0) break;
+    if (value && i < 2) to[i] = *value;
+    text = behind;
+  }
+  return text;
+}
+
+/// The name is at the end; before it there may be options.
+ImageUse image_use(std::string_view text) {
   struct Option {
     std::string_view name;
     int values;
@@ -66,21 +84,22 @@ std::string_view image_name(std::string_view text) {
   constexpr Option options[] = {{"-blendu", 1}, {"-blendv", 1},  {"-boost", 1},  {"-cc", 1},   {"-clamp", 1},
                                 {"-bm", 1},     {"-imfchan", 1}, {"-texres", 1}, {"-type", 1}, {"-mm", 2},
                                 {"-o", 3},      {"-s", 3},       {"-t", 3}};
+  ImageUse use;
   for (text = trimmed(text); !text.empty() && text[0] == '-';) {
     std::string_view rest = text;
     const std::string_view word = take_word(rest);
     const auto option = std::find_if(std::begin(options), std::end(options),
                                      [&](const Option& one) { return one.name == word; });
     if (option == std::end(options)) break;
-    for (int i = 0; i < option->values; ++i) {
-      std::string_view behind = rest;
-      const std::string_view value = take_word(behind);
-      if (option->values == 3 && i > 0 && !number(value)) break;  // one to three numbers
-      rest = behind;
-    }
+    std::array<double, 2> turbulence{};
+    if (option->values == 3)
+      rest = take_numbers(rest, word == "-o" ? use.offset : word == "-s" ? use.scale : turbulence);
+    else
+      for (int i = 0; i < option->values; ++i) take_word(rest);
     text = rest;
   }
-  return text;
+  use.name = text;
+  return use;
 }
 
 /// Reads what there is of the materials that are asked for.
@@ -94,7 +113,7 @@ class LibraryReader {
     for_each_line(text, [&](std::string_view line) {
       const std::string_view keyword = take_word(line);
       if (keyword == "newmtl") begin(line);
-      if (names_image(keyword)) add_image(keyword, std::string(image_name(line)));
+      if (names_image(keyword)) add_image(keyword, image_use(line));
       if (!current_) return;
       if (keyword == "Kd") read_colour(line);
       if (keyword == "d" || keyword == "Tr") read_opacity(keyword, line);
@@ -128,7 +147,8 @@ class LibraryReader {
     current_->alpha = current_->colour[3] < 1 ? Material::Alpha::blend : Material::Alpha::opaque;
   }
 
-  void add_image(std::string_view keyword, const std::string& name) {
+  void add_image(std::string_view keyword, const ImageUse& use) {
+    const std::string name(use.name);
     const auto path = beside(path_, name);
     std::error_code error;
     if (!path || !std::filesystem::is_regular_file(*path, error)) {
@@ -137,6 +157,8 @@ class LibraryReader {
     }
     if (keyword != "map_Kd" || !current_) return;
     current_->image = file_.parts.images.size();
+    current_->texture_scale = use.scale;
+    current_->texture_offset = use.offset;
     file_.parts.images.push_back({name, *path});
   }
 
@@ -145,6 +167,12 @@ class LibraryReader {
   std::map<std::string, Material*> by_name_;
   Material* current_ = nullptr;
 };
+
+TextWriter& write_pair(TextWriter& out, const char* option, const std::array<double, 2>& pair) {
+  out << option << " ";
+  out.coordinate(pair[0]) << " ";
+  return out.coordinate(pair[1]) << " ";
+}
 
 /// A name with blanks is one where there is such a file, else as many as there are words.
 std::vector<Library> split_names(const std::vector<Library>& libraries, const std::filesystem::path& obj) {
@@ -186,7 +214,7 @@ std::string with_images(std::string_view library,
   for_each_line(library, [&](std::string_view line) {
     std::string_view rest = line;
     const std::string_view keyword = take_word(rest);
-    const std::string_view name = names_image(keyword) ? image_name(rest) : std::string_view();
+    const std::string_view name = names_image(keyword) ? image_use(rest).name : std::string_view();
     if (name.empty()) {
       out += line;
     } else {
@@ -212,7 +240,10 @@ std::string mtl_text(const Parts& parts, const std::vector<std::string>& image_n
     if (material.alpha != Material::Alpha::opaque && material.colour[3] < 1)
       out << "d " << static_cast<float>(material.colour[3]) << "\n";
     if (material.image && !image_names[*material.image].empty()) {
-      out << "map_Kd " << image_names[*material.image] << "\n";
+      out << "map_Kd ";
+      if (material.is_texture_moved())
+        write_pair(write_pair(out, "-s", material.texture_scale), "-o", material.texture_offset);
+      out << image_names[*material.image] << "\n";
       if (material.alpha != Material::Alpha::opaque)
         out << "map_d -imfchan m " << image_names[*material.image] << "\n";
     }

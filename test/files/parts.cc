@@ -202,6 +202,42 @@ TEST_CASE("materials: from OBJ to GLB and back, with image and opacity") {
   CHECK_THAT(folder.get("back/c.mtl"), Catch::Matchers::Contains("Kd 1 0.25 0"));
 }
 
+TEST_CASE("materials: where an image lies, from OBJ to GLB and back") {
+  const Folder folder;
+  folder.put("two.mtl",
+             "newmtl red one\nmap_Kd -s 2 4 1 -clamp on -o 0.25 0.5 a.png\nnewmtl blue\nmap_Kd -s 3 a.png\n");
+  folder.put("a.png", kPng);
+  const MeshFile file = folder.read("a.obj", two_parts());
+  CHECK(file.parts.materials[0].texture_scale == std::array<double, 2>{2, 4});
+  CHECK(file.parts.materials[0].texture_offset == std::array<double, 2>{0.25, 0.5});
+  CHECK(file.parts.materials[1].texture_scale == std::array<double, 2>{3, 1});
+  Attribute texture = attribute(Kind::texture, 2, {0, 0, 1, 0, 1, 1, 0, 0.25F});
+  write_mesh(folder / "b.glb", file.mesh, {}, {texture}, file.parts);
+  const Json json = json_of(folder.get("b.glb"));
+  CHECK(json["extensionsUsed"] == Json{"KHR_texture_transform"});
+  const Json& first = json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  CHECK(first["extensions"]["KHR_texture_transform"] ==
+        Json{{"scale", {2.0, 4.0}}, {"offset", {0.25, -3.5}}});
+
+  // The transform is carried out, so that (1, 1) of the first part is at 2 + 0.25 and 4 + 0.5, counted upwards.
+  const MeshFile back = read_mesh(folder / "b.glb");
+  const Attribute& moved = find(back.attributes, Kind::texture);
+  const auto corner = [&](std::size_t face, std::size_t k) {
+    const float* value = moved.value(moved.at(back.mesh, face, k));
+    return std::array<float, 2>{value[0], 1 - value[1]};
+  };
+  CHECK(corner(0, 2) == std::array<float, 2>{2.25F, 4.5F});
+  CHECK(corner(1, 2) == std::array<float, 2>{0, 0.25F});
+  CHECK_FALSE(back.parts.materials[0].is_texture_moved());
+
+  Parts parts = file.parts;
+  parts.in_libraries = false;
+  write_mesh(folder / "c.obj", file.mesh, {}, {texture}, parts);
+  CHECK_THAT(folder.get("c.mtl"), Catch::Matchers::Contains("map_Kd -s 2 4 -o 0.25 0.5 a.png\n"));
+  CHECK(write_mesh(folder / "c.ply", file.mesh, {}, {texture}, parts).reduced ==
+        Names{"of the materials only the images of their colours are written"});
+}
+
 TEST_CASE("materials: formats without them leave them out, and say so") {
   const Folder folder;
   const MeshFile file = folder.read("a.obj", two_parts());
