@@ -161,6 +161,7 @@ class SceneWriter {
       }
       begin += static_cast<std::uint32_t>(vertices.corners.size());
     }
+    report_.doubled_vertices = begin - std::min<std::size_t>(begin, result_.mesh.points.size());
   }
 
   PieceVertices write_piece(const Scene::Piece& piece, const std::vector<std::uint32_t>& faces) {

@@ -102,12 +102,9 @@ void check_parts(const IndexedMesh& mesh, const Parts& parts) {
 }
 
 /// "materials in a.mtl, b.mtl": for people.
-std::string where_materials_are(const std::vector<std::string>& libraries,
-                                const std::vector<Companion>& companions) {
+std::string where_materials_are(const std::vector<std::string>& libraries) {
   std::string text;
   for (const std::string& library : libraries) text += (text.empty() ? "materials in " : ", ") + library;
-  for (std::size_t i = 0; i < companions.size(); ++i)
-    text += (i == 0 ? "; written beside: " : ", ") + companions[i].path.filename().string();
   return text;
 }
 
@@ -116,7 +113,7 @@ void encode_obj(const std::filesystem::path& path, const IndexedMesh& mesh,
                 Encoded& out) {
   ObjMaterials beside = obj_materials(parts, path, options.copy_materials, out.report);
   out.bytes = obj_bytes(mesh, attributes, options, parts, beside.libraries, out.report);
-  out.report.materials = where_materials_are(beside.libraries, beside.companions);
+  out.report.materials = where_materials_are(beside.libraries);
   out.companions = std::move(beside.companions);
 }
 
@@ -179,6 +176,8 @@ void encode_as(const std::filesystem::path& path, const IndexedMesh& mesh,
     report.first_vertex = std::move(split.first);
     return encode_as(path, split.mesh, split.attributes, options, format, parts, out);
   }
+  const bool has_unit = !options.unit.empty() && options.unit != "millimeter";
+  if (has_unit && format != Format::three_mf) leave_out(report, "the unit, '" + options.unit + "'");
   if (!can_hold_materials(format) && parts.has_materials()) leave_out(report, "materials");
   switch (format) {
     case Format::obj:
@@ -193,7 +192,7 @@ void encode_as(const std::filesystem::path& path, const IndexedMesh& mesh,
       out.bytes = stl_bytes(mesh, attributes, options, report);
       break;
     case Format::three_mf:
-      out.bytes = three_mf_bytes(mesh, attributes, options, report);
+      out.bytes = three_mf_bytes(mesh, attributes, options, parts, report);
       break;
     case Format::om:
       out.bytes = om_bytes(mesh, attributes, options, report);
@@ -229,6 +228,13 @@ std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
 
 bool holds_scenes(const std::filesystem::path& path, const WriteOptions& options) {
   return naming(path, [&] { return is_gltf(format_to_write(path, options)); });
+}
+
+bool writes_text(const std::filesystem::path& path, const WriteOptions& options) {
+  const Format format = naming(path, [&] { return format_to_write(path, options); });
+  const bool may_be_text = format == Format::ply || format == Format::stl;
+  return format == Format::obj || format == Format::off || format == Format::three_mf ||
+         (may_be_text && options.ascii);
 }
 
 bool holds_materials(const std::filesystem::path& path, const WriteOptions& options) {
