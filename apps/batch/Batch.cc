@@ -37,6 +37,18 @@ Outcome failure(const std::string& message) {
   return outcome;
 }
 
+/// What the program said of a mesh, without its own name and the mesh's, which stand before it anyway.
+std::string without_names(std::string message, const Item& item) {
+  const auto take = [&](const std::string& beginning) {
+    if (message.rfind(beginning, 0) != 0) return false;
+    message.erase(0, beginning.size());
+    return true;
+  };
+  take("whittle: ");
+  if (take(item.in.string() + ":") && !take(" ")) message.insert(0, "line ");
+  return message;
+}
+
 /// Too many processes or open files: not the fault of a mesh.
 bool is_shortage(const std::error_code& error) {
   return error == std::errc::too_many_files_open || error == std::errc::too_many_files_open_in_system ||
@@ -197,7 +209,7 @@ class Run {
     else if (ending.how == Ending::How::signalled)
       outcome = failure("killed by signal " + std::to_string(ending.code));
     else if (ending.code != 0 && ending.code != kMissed)
-      outcome = failure(ending.message);
+      outcome = failure(without_names(ending.message, order_.items[one.item]));
     else
       outcome = keep(one, ending);
     outcome.seconds = ending.seconds;
@@ -211,7 +223,8 @@ class Run {
     if (memory_.input_stamp(item) != one.input_stamp) return failure("the input has changed meanwhile");
     Outcome outcome;
     outcome.status = ending.succeeded() ? Outcome::Status::done : Outcome::Status::missed;
-    outcome.message = ending.message;
+    // Where all is well, it is in the notes.
+    if (!ending.succeeded()) outcome.message = without_names(ending.message, item);
     try {
       memory_.keep(item, one.input_stamp, outcome);
     } catch (const std::exception& error) {

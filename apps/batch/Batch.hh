@@ -41,7 +41,7 @@ struct Outcome {
   std::size_t faces_before = 0, faces_after = 0;
   std::string message;  ///< what the program said, or how it died
   /// As `simplify` reports them; null where there is no report
-  nlohmann::ordered_json attribute_changes, charts, pieces;
+  nlohmann::ordered_json attribute_changes, charts, pieces, notes;
   bool logged = true;  ///< false: there was no room for its line in the log
 };
 

@@ -127,6 +127,30 @@ Found in_manifest(const fs::path& manifest) {
   return found;
 }
 
+/// What the result of a mesh is called by its name and the format.
+/// \param keeps  whether the extension that it had becomes a part of the name: packed.ply.gz becomes packed.ply.stl
+fs::path name_of_result(fs::path name, const std::string& format, bool keeps) {
+  if (format.empty() && is_any_of(files::writable_extensions(), name)) return name;
+  const std::string whole = files::whole_extension(name), old = files::extension_of_format(name);
+  std::string text = name.string();
+  text.resize(text.size() - whole.size());
+  if (keeps) text += old;
+  return text + "." + (format.empty() ? "glb" : format);  // glTF's one-file form
+}
+
+/// Those that would be called the same keep their extensions in their names.
+std::vector<fs::path> names_of_results(const std::vector<std::pair<fs::path, fs::path>>& meshes,
+                                       const std::string& format) {
+  std::map<fs::path, std::size_t> wanted;
+  for (const auto& [in, name] : meshes) ++wanted[name_of_result(name, format, false)];
+  std::vector<fs::path> names;
+  for (const auto& [in, name] : meshes) {
+    const fs::path plain = name_of_result(name, format, false);
+    names.push_back(wanted[plain] > 1 ? name_of_result(name, format, true) : plain);
+  }
+  return names;
+}
+
 /// Which file it is, whatever it is called.
 using Identity = std::pair<dev_t, ino_t>;
 
@@ -173,28 +197,30 @@ Listing list_items(const fs::path& source, const fs::path& out, const std::strin
                    bool (*case_counts)(fs::path)) {
   std::error_code error;
   const bool is_folder = fs::is_directory(source, error);
-  if (!is_folder && !fs::exists(source, error)) throw BatchError(source.string() + ": there is no such file");
+  if (!is_folder && !fs::exists(source, error))
+    throw BatchError(
+        source.string() + ": there is no folder of this name, nor a list of meshes" +
+        (source.string().find_first_of("*?[") == std::string::npos
+             ? ""
+             : "; a pattern is not one: name the folder, or a text file with a mesh on each line"));
+  if (!is_folder && is_mesh(source))
+    throw BatchError(
+        source.string() +
+        ": is a mesh; batch takes a folder, or a text file with the name of a mesh on each line");
   Found found = is_folder ? Walk(source, out).all() : in_manifest(source);
   Listing listing;
   listing.problems = std::move(found.problems);
   std::map<fs::path, fs::path> taken;
   std::map<std::string, fs::path> in_lower_case;
   std::optional<bool> counts;  // once that matters
-  for (auto& [in, name] : found.meshes) {
-    fs::path& relative = name;
-    const bool is_packed = files::whole_extension(relative) != files::extension_of_format(relative);
-    const auto become = [&](const std::string& extension) {
-      if (is_packed) relative.replace_extension();
-      relative.replace_extension(extension);
-    };
-    if (!format.empty())
-      become(format);
-    else if (!is_any_of(files::writable_extensions(), relative))
-      become(".glb");  // glTF's one-file form
+  const std::vector<fs::path> names = names_of_results(found.meshes, format);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const fs::path &in = found.meshes[i].first, &relative = names[i];
     const auto [other, is_new] = taken.emplace(relative, in);
     if (!is_new)
       throw BatchError(in.string() + " and " + other->second.string() + " would both become " +
-                       (out / relative).string());
+                       (out / relative).string() +
+                       ": rename one, or put them into folders of their own and name their parent");
     const auto [similar, is_alone] = in_lower_case.emplace(lower_case(relative.string()), in);
     if (!is_alone && !counts) counts = case_counts(out);
     if (!is_alone && !*counts)

@@ -53,6 +53,7 @@ void fill_counts(const Json& record, Outcome& outcome) {
   outcome.attribute_changes = part("attribute_changes");
   outcome.charts = part("charts");
   outcome.pieces = part("pieces");
+  outcome.notes = part("notes");
 }
 
 /// Size and time of the last change.
@@ -150,6 +151,7 @@ bool Memory::log(const Item& item, const Outcome& outcome) const {
                 {"charts", outcome.charts},
                 {"pieces", outcome.pieces},
                 {"attribute_changes", outcome.attribute_changes},
+                {"notes", outcome.notes},
                 {"message", outcome.message},
                 {"process", process_name()},
                 {"time_utc", text::now_utc()}})

@@ -6,15 +6,33 @@
 
 #include "recipe/Catalogue.hh"
 #include "recipe/locks.hh"
+#include "text/number.hh"
 
 namespace whittle::cli {
 namespace {
 
+/// Other spellings of what can be left out.
+CLI::Validator plain_words() {
+  return CLI::Validator(
+      [](std::string& text) {
+        constexpr std::pair<const char*, const char*> words[] = {
+            {"normal", "normals"},   {"color", "colours"},      {"colors", "colours"}, {"colour", "colours"},
+            {"textures", "texture"}, {"material", "materials"}, {"group", "groups"}};
+        for (const auto& [other, word] : words)
+          if (text == other) text = word;
+        return std::string();
+      },
+      "");
+}
+
 void add_target(CLI::App& command, RecipeOptions& options) {
-  auto* ratio = command
-                    .add_option("--ratio", options.ratio,
-                                "Keep this part of the faces, above 0; 1 changes nothing but the format")
-                    ->type_name("R");
+  auto* ratio =
+      command
+          .add_option("--ratio", options.ratio,
+                      "Keep this part of the faces, above 0, as 0.1 or 10%; 1 changes nothing but the "
+                      "format")
+          ->transform(share())
+          ->type_name("R");
   auto* faces = command.add_option("--faces", options.faces, "Down to at most so many faces");
   auto* vertices = command.add_option("--vertices", options.vertices, "Down to at most so many vertices");
   const CLI::Validator count(
@@ -85,6 +103,23 @@ std::string word_of(attributes::Kind kind) {
 
 }  // namespace
 
+CLI::Validator share() {
+  return CLI::Validator(
+      [](std::string& text) {
+        double value = 0;
+        const bool is_percent = !text.empty() && text.back() == '%';
+        const std::string number = is_percent ? text.substr(0, text.size() - 1) : text;
+        if (!CLI::detail::lexical_cast(number, value) || !std::isfinite(value))
+          return "must be a part of the faces, as 0.1 or 10%, not '" + text + "'";
+        if (!is_percent && value > 1 && value <= 100)
+          return "must be at most 1; " + text + " % of the faces is " + text::shortest(value / 100) + " or " +
+                 text + "%";
+        if (is_percent) text = text::shortest(value / 100);
+        return std::string();
+      },
+      "");
+}
+
 void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_target) {
   command
       .add_option("--module", options.modules,
@@ -135,6 +170,7 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
           "Leave normals, colours, texture or materials out: it is not written and does not count. May be "
           "given several times")
       ->type_name("WHAT")
+      ->transform(plain_words())
       ->check(CLI::IsMember({"normals", "colours", "texture", "materials"}))
       ->take_all()
       ->expected(1);
@@ -145,6 +181,7 @@ void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_tar
           "moves "
           "along their border only, as along those of texture and materials. May be given several times")
       ->type_name("WHAT")
+      ->transform(plain_words())
       ->check(CLI::IsMember({"normals", "colours", "groups"}))
       ->take_all()
       ->expected(1);
@@ -312,8 +349,8 @@ recipe::Givens make_givens(const RecipeOptions& options, const files::MeshFile& 
 std::string recipe_help() {
   return "A LENGTH is in model units (0.0012), in mean edges (0.8e) or in percent of the bounding box's "
          "diagonal (0.5%).\n"
-         "With a target and no threshold, the threshold is searched for.\n\nModules:\n" +
-         recipe::catalogue_help();
+         "With a target and no threshold, the threshold is searched for.\n"
+         "whittle modules lists the modules and their keys.\n";
 }
 
 }  // namespace whittle::cli

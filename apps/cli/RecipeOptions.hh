@@ -28,6 +28,9 @@ struct RecipeOptions {
   std::string compress;  ///< "meshopt", or nothing
 };
 
+/// A part of the faces: a number, or percents, which become one.
+CLI::Validator share();
+
 /// Adds all of them; `with_target` leaves out or adds --ratio, --faces and --vertices.
 void add_recipe_options(CLI::App& command, RecipeOptions& options, bool with_target);
 

@@ -97,20 +97,36 @@ bool is_bad(const Outcome& outcome) {
          outcome.status == Status::missed_before;
 }
 
+/// What there is to say of a mesh besides its row.
+std::string details(const Outcome& outcome) {
+  std::string out;
+  if (outcome.notes.is_array())
+    for (const Json& note : outcome.notes)
+      if (note.is_string()) out += "  " + text::printable(note.get<std::string>()) + "\n";
+  return out + vanished_lines(outcome.charts, outcome.pieces) + changes_line(outcome.attribute_changes);
+}
+
 std::string table(const std::vector<batch::Item>& items, const std::vector<Outcome>& outcomes, bool all) {
   std::string out = text::format("%-40s %12s %12s %9s  %s\n", "file", "faces", "left", "seconds", "");
+  std::string below;
   std::map<std::string, std::size_t> counts;
+  std::size_t untold = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Outcome& outcome = outcomes[i];
+    const std::string name = text::printable(items[i].in.string());
     ++counts[batch::to_string(outcome.status)];
-    if (!all && !is_bad(outcome)) continue;
-    out += text::format("%-40s %12zu %12zu %9.2f  %s%s%s\n", text::printable(items[i].in.string()).c_str(),
-                        outcome.faces_before, outcome.faces_after, outcome.seconds,
-                        batch::to_string(outcome.status).c_str(), outcome.message.empty() ? "" : ": ",
-                        text::printable(outcome.message).c_str());
-    out += vanished_lines(outcome.charts, outcome.pieces);
-    out += changes_line(outcome.attribute_changes);
+    if (!all && !is_bad(outcome)) {
+      if (outcome.notes.is_array() && !outcome.notes.empty()) ++untold;
+      continue;
+    }
+    out += text::format("%-40s %12zu %12zu %9.2f  %s%s%s\n", name.c_str(), outcome.faces_before,
+                        outcome.faces_after, outcome.seconds, batch::to_string(outcome.status).c_str(),
+                        outcome.message.empty() ? "" : ": ", text::printable(outcome.message).c_str());
+    if (const std::string more = details(outcome); !more.empty()) below += name + ":\n" + more;
   }
+  if (!below.empty()) out += "\n" + below + "\n";
+  if (untold > 0)
+    out += text::format("notes on %zu meshes more: --verbose prints them, --json has them\n", untold);
   out += text::format("%zu meshes:", items.size());
   for (const auto& [status, count] : counts) out += text::format(" %zu %s;", count, status.c_str());
   return out + "\n";
@@ -131,6 +147,7 @@ Json describe(const Options& options, const std::vector<batch::Item>& items,
                       {"faces_before", outcome.faces_before},
                       {"faces_after", outcome.faces_after},
                       {"seconds", outcome.seconds},
+                      {"notes", outcome.notes},
                       {"attribute_changes", outcome.attribute_changes}});
   }
   return {{"command", "batch"}, {"source", options.source},

@@ -17,6 +17,8 @@ Command add_lods(CLI::App& app);
 Command add_batch(CLI::App& app);
 Command add_measure(CLI::App& app);
 Command add_info(CLI::App& app);
+/// `modules`: lists them with their keys.
+Command add_modules(CLI::App& app);
 
 /// `completion` and `manual`, which describe the others: shell completions and the man page.
 Command add_completion(CLI::App& app);

@@ -56,11 +56,11 @@ std::vector<Choice> choices() {
   return {{"--module", modules()},
           {"--driver", drivers()},
           {"--repair", {"none", "report", "fix"}},
-          {"--drop", {"normals", "colours", "texture"}},
-          {"--seams", {"normals", "colours"}},
+          {"--drop", {"normals", "colours", "texture", "materials"}},
+          {"--seams", {"normals", "colours", "groups"}},
           {"--pieces", {"keep", "by-error"}},
           {"--lock", {"boundary", "feature:", "selection:"}},
-          {"--format", {"obj", "ply", "off", "stl", "om", "glb"}}};
+          {"--format", {"obj", "ply", "off", "stl", "om", "glb", "gltf", "3mf"}}};
 }
 
 /// \param function  that the shell calls

@@ -2,6 +2,7 @@
 
 #include "attributes/transfer.hh"
 #include "cli/commands.hh"
+#include "cli/contents.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
 #include "text/format.hh"
@@ -93,7 +94,11 @@ Command add_info(CLI::App& app) {
     outputs.reads("MESH", options->mesh);
     outputs.add("--json", options->json);
     const files::MeshFile in = files::read_mesh(options->mesh);
-    if (!options->quiet) print_notes(options->mesh, in.report);
+    const Json contents = contents_json(options->mesh, in);
+    if (!options->quiet) {
+      print_notes_on_shape(options->mesh, in.report);
+      for (const std::string& line : in.report.lost_files()) complain(options->mesh + ": " + line);
+    }
     const measure::MeshFacts facts = measure::facts(in.mesh);
     const Intersections crossing = intersections(in.mesh);
     const Json attributes = attributes_json(in);
@@ -102,9 +107,11 @@ Command add_info(CLI::App& app) {
                                        {"read", to_json(in.report)},
                                        {"mesh", to_json(facts)},
                                        {"intersections", to_json(crossing, options->list)},
-                                       {"attributes", attributes}}));
+                                       {"attributes", attributes},
+                                       {"contents", contents}}));
     if (!options->quiet && options->json != "-")
-      print_text(table(options->mesh, in.report.format, facts, crossing) + attributes_text(attributes));
+      print_text(table(options->mesh, in.report.format, facts, crossing) + attributes_text(attributes) +
+                 contents_text(contents));
     outputs.commit();
     return 0;
   };

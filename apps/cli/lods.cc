@@ -1,9 +1,10 @@
 #include <algorithm>
-#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numeric>
 #include <utility>
 
+#include "cli/LevelTargets.hh"
 #include "cli/RecipeOptions.hh"
 #include "cli/changes.hh"
 #include "cli/commands.hh"
@@ -17,12 +18,26 @@
 namespace whittle::cli {
 namespace {
 
+/// Whether files with an extension hold all levels.
+bool is_gltf(const std::string& extension) {
+  return extension == ".glb" || extension == ".gltf";
+}
+
 struct Options : RecipeOptions {
-  std::string in, out, json;
+  std::string in, out, json, format, ratio_text = "0.5", faces_text;
   std::size_t levels = 5;
-  double step = 0.5;
-  bool ascii = false, quiet = false;
+  LevelTargets targets;
+  bool ascii = false, quiet = false, levels_given = false;
+  bool one_file() const { return is_gltf(format.empty() ? files::extension_of_format(out) : "." + format); }
 };
+
+files::WriteOptions write_options(const Options& options) {
+  files::WriteOptions out;
+  out.ascii = options.ascii;
+  out.format = options.format;
+  set_packing(options, {options.out}, out);
+  return out;
+}
 
 struct Level {
   recipe::Result result;
@@ -32,15 +47,6 @@ struct Level {
   std::string file;
   bool target_reached() const { return result.target_reached; }
 };
-
-bool has_extension(const std::string& path, const char* wanted) {
-  return files::extension_of_format(path) == wanted;
-}
-
-/// Whether all levels go into one file.
-bool is_gltf(const std::string& path) {
-  return has_extension(path, ".glb") || has_extension(path, ".gltf");
-}
 
 std::string without_extension(const std::string& path) {
   return path.substr(0, path.size() - files::whole_extension(path).size());
@@ -52,11 +58,34 @@ std::string file_of(const std::string& out, std::size_t level) {
          out.substr(out.size() - files::whole_extension(out).size());
 }
 
-/// Where the levels go by default: beside the model. A file that holds all levels has another name than the model.
-std::string default_out(const std::string& in) {
-  if (in == "-") throw recipe::RecipeError("--out is required where the model comes from standard input");
-  if (!is_gltf(in)) return in;
-  return without_extension(in) + "-lods.glb";
+/// The extension of the levels where their name has none: of the format, else the model's; of glTF that of one file.
+std::string own_extension(const Options& options) {
+  if (!options.format.empty()) return "." + options.format;
+  const std::string of_model = files::extension_of_format(options.in);
+  if (options.in == "-" || of_model.empty())
+    throw recipe::RecipeError("--out has no extension, and the model none either: add one, or --format");
+  return of_model == ".gltf" ? ".glb" : of_model;
+}
+
+/// Where the levels go: as it is said; into a folder under the model's name; by default beside the model, where a GLB
+/// that holds all levels has another name than the model.
+std::string whole_out(const Options& options) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::string out = options.out;
+  const bool is_folder = !out.empty() && (out.back() == '/' || fs::is_directory(out, error));
+  if ((out.empty() || is_folder) && options.in == "-")
+    throw recipe::RecipeError("--out NAME is required where the model comes from standard input");
+  if (out.empty() || is_folder) {
+    const std::string extension = own_extension(options);
+    const std::string stem = without_extension(options.in);
+    out = is_folder ? (fs::path(out) / fs::path(stem).filename()).string() : stem;
+    if (is_gltf(extension)) out += "-lods";
+    if (options.format.empty() && !is_gltf(extension))
+      return out + options.in.substr(stem.size());  // packed as the model is
+    return out + extension;
+  }
+  return files::extension_of_format(out).empty() ? out + own_extension(options) : out;
 }
 
 /// What messages call the output of a level.
@@ -67,9 +96,9 @@ std::string role_of(std::size_t level) {
 /// Tells the outputs of every file of the run.
 void add_files(const Options& options, files::Outputs& outputs) {
   if (options.out == "-") throw recipe::RecipeError("--out: the levels cannot go to standard output");
-  const bool one_file = is_gltf(options.out);
+  const bool one_file = options.one_file();
   for (std::size_t i = 0; i < (one_file ? 1 : options.levels); ++i)
-    files::check_writable(one_file ? options.out : file_of(options.out, i));
+    files::check_writable(one_file ? options.out : file_of(options.out, i), write_options(options));
   outputs.reads("MODEL", options.in);
   read_selections(options, outputs);
   if (one_file) outputs.add("--out", options.out);
@@ -94,9 +123,7 @@ std::vector<Level> make_levels(const Options& options, const files::MeshFile& in
   if (plan_once) progression.emplace(in.mesh, givens);
   std::vector<Level> levels;
   for (std::size_t i = 1; i < options.levels; ++i) {
-    const double share = std::pow(options.step, static_cast<double>(i));
-    const auto wanted = std::max<std::size_t>(
-        1, static_cast<std::size_t>(share * static_cast<double>(in.mesh.triangles.size())));
+    const std::size_t wanted = options.targets.faces_of(i, in.mesh.triangles.size());
     Level level{progression ? progression->at(wanted, options.refit.value_or(true))
                             : recipe::run(in.mesh, recipe_for(options, wanted), {}, givens),
                 wanted,
@@ -117,7 +144,7 @@ Json describe(const Options& options, const files::MeshFile& in, const std::vect
   list.push_back({{"level", 0},
                   {"vertices", in.mesh.points.size()},
                   {"faces", in.mesh.triangles.size()},
-                  {"file", is_gltf(options.out) ? options.out : file_of(options.out, 0)}});
+                  {"file", options.one_file() ? options.out : file_of(options.out, 0)}});
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const Level& level = levels[i];
     Json stages = Json::array();
@@ -137,26 +164,30 @@ Json describe(const Options& options, const files::MeshFile& in, const std::vect
   }
   return {{"command", "lods"},
           {"input", {{"file", options.in}, {"read", to_json(in.report)}}},
-          {"ratio", options.step},
+          {"ratio", options.targets.step ? Json(*options.targets.step) : Json(nullptr)},
           {"levels", list}};
 }
 
 std::string table(const Options& options, const files::MeshFile& in, const std::vector<Level>& levels) {
   std::string out = text::format("%5s %10s %10s %14s %14s  %s\n", "level", "vertices", "faces",
                                  "RMS, % of box", "max, % of box", "file");
-  out += text::format("%5d %10zu %10zu %14s %14s\n", 0, in.mesh.points.size(), in.mesh.triangles.size(), "0",
-                      "0");
+  const std::string first = options.one_file() ? options.out : file_of(options.out, 0);
+  out += text::format("%5d %10zu %10zu %14s %14s  %s\n", 0, in.mesh.points.size(), in.mesh.triangles.size(),
+                      "0", "0", text::printable(first).c_str());
+  std::string below;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const auto& d = levels[i].distance;
     out += text::format(
         "%5zu %10zu %10zu %14s %14s  %s\n", i + 1, levels[i].result.mesh.points.size(),
         levels[i].result.mesh.triangles.size(), figure(100 * d.two_sided.rms / d.diagonal).c_str(),
         figure(100 * d.two_sided.max / d.diagonal).c_str(), text::printable(levels[i].file).c_str());
-    out += vanished_lines(charts_json(levels[i].result),
-                          pieces_json(recipe_for(options, levels[i].wanted), levels[i].result));
-    out += changes_line(levels[i].changes);
+    const std::string more =
+        vanished_lines(charts_json(levels[i].result),
+                       pieces_json(recipe_for(options, levels[i].wanted), levels[i].result)) +
+        changes_line(levels[i].changes);
+    if (!more.empty()) below += text::format("level %zu:\n", i + 1) + more;
   }
-  return out;
+  return out + below;
 }
 
 files::Parts parts_of(const files::MeshFile& in, const Level& level) {
@@ -228,9 +259,8 @@ files::Encoded encode_mesh_levels(const Options& options, const files::MeshFile&
 /// \return what the formats could not take.
 files::WriteReport write(const Options& options, const files::MeshFile& in, std::vector<Level>& levels,
                          files::Outputs& outputs) {
-  files::WriteOptions format;
-  set_packing(options, {options.out}, format);
-  if (is_gltf(options.out)) {
+  files::WriteOptions format = write_options(options);
+  if (options.one_file()) {
     for (Level& level : levels) level.file = options.out;
     files::Encoded one = in.scene ? encode_scene(options, in, levels, format)
                                   : encode_mesh_levels(options, in, levels, format);
@@ -238,8 +268,9 @@ files::WriteReport write(const Options& options, const files::MeshFile& in, std:
     outputs.write_beside(std::move(one.companions));
     return std::move(one.report);
   }
-  format.ascii = options.ascii;
-  format.single_precision = in.single_precision;
+  format.single_precision =
+      in.single_precision || (files::writes_text(options.out, format) && files::are_texts_of_floats(in.mesh));
+  format.unit = in.unit;
   format.texture_at_vertices = in.texture_at_vertices;
   format.copy_materials = options.copy_materials;
   files::Encoded model =
@@ -258,23 +289,30 @@ files::WriteReport write(const Options& options, const files::MeshFile& in, std:
 }
 
 int lods(Options options) {
-  if (options.out.empty()) options.out = default_out(options.in);
+  if (options.out != "-") options.out = whole_out(options);
+  options.targets = parse_levels(options.ratio_text, options.faces_text);
+  if (const std::size_t listed = options.targets.size(); listed > 0) {
+    if (options.levels_given && options.levels != listed + 1)
+      throw recipe::RecipeError("--levels " + std::to_string(options.levels) + " with a list of " +
+                                std::to_string(listed) + ": the model is level 0, so there are " +
+                                std::to_string(listed + 1) + " levels");
+    options.levels = listed + 1;
+  }
   recipe_for(options, 1);  // what is wrong with it is wrong before anything is read
-  files::WriteOptions format;
-  set_packing(options, {options.out}, format);
+  const files::WriteOptions format = write_options(options);
   files::Outputs outputs;
   add_files(options, outputs);
   files::ReadOptions reading = read_options(options);
-  reading.keep_scene = !options.flatten && is_gltf(options.out);
+  reading.keep_scene = !options.flatten && options.one_file();
   files::MeshFile in = files::read_mesh(options.in, reading);
   if (files::has_levels(in))
     throw files::FileError(options.in +
                            ": it has levels of detail already; --flatten begins with its finest");
-  if (!options.quiet) print_notes(options.in, in.report);
+  print_notes(options.in, in.report, options.quiet);
   require_faces(options.in, in);
   recipe::Givens givens = make_givens(options, in);
   const std::optional<files::ImageSize> image = files::texture_image_size(in.parts);
-  std::vector<std::string> left_out = drop_attributes(options, options.out, {}, in);
+  std::vector<std::string> left_out = drop_attributes(options, options.out, format, in);
   give_parts(options, in, givens);
   std::vector<Level> levels = make_levels(options, in, image, givens);
   files::WriteReport written = write(options, in, levels, outputs);
@@ -306,18 +344,30 @@ Command add_lods(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("lods", "Write a chain of levels of detail, with the error of each");
   command->add_option("MODEL", options->in, "The mesh; it is level 0")->required();
-  command->add_option("--levels", options->levels, "How many, the model included")
-      ->check(CLI::Range(std::size_t{2}, std::size_t{32}))
-      ->capture_default_str();
-  command->add_option("--ratio", options->step, "The faces of a level as a part of the one before")
-      ->check(CLI::Range(0.01, 0.99))
-      ->capture_default_str()
-      ->type_name("R");
+  auto* levels = command->add_option("--levels", options->levels, "How many, the model included")
+                     ->check(CLI::Range(std::size_t{2}, std::size_t{32}))
+                     ->capture_default_str();
+  auto* ratio = command
+                    ->add_option("--ratio", options->ratio_text,
+                                 "The faces of a level as a part of the one before, 0.01 to 0.99, or 50%; "
+                                 "R,R,…: for each level as a part of the model")
+                    ->capture_default_str()
+                    ->type_name("R[,R...]");
+  command->add_option("--faces", options->faces_text, "How many faces each level is to have, N,N,…")
+      ->type_name("N[,N...]")
+      ->excludes(ratio);
   command
-      ->add_option("--out", options->out,
-                   "NAME.glb or .gltf: all levels in one file, with MSFT_lod, a scene kept; else one file "
-                   "each, NAME-lod0.ply and "
-                   "so on. Default: beside the model, NAME-lods.glb for glTF")
+      ->add_option(
+          "--out", options->out,
+          "NAME.glb or .gltf: all levels in one file, with MSFT_lod, a scene kept; else one file each, "
+          "NAME-lod0.ply and "
+          "so on; without an extension in the model's format. FOLDER/: there, under the model's name. "
+          "Default: beside the model, NAME-lods.glb for glTF")
+      ->type_name("NAME");
+  command
+      ->add_option("--format", options->format,
+                   "Write obj, ply, off, stl, om, glb, gltf or 3mf, whatever NAME is called")
+      ->check(CLI::IsMember({"obj", "ply", "off", "stl", "om", "glb", "gltf", "3mf"}))
       ->type_name("NAME");
   add_recipe_options(*command, *options, false);
   command->add_option("--json", options->json, "Write what was done as JSON to a file, or to stdout for -");
@@ -327,7 +377,10 @@ Command add_lods(CLI::App& app) {
                   "\nExamples:\n"
                   "  whittle lods bunny.obj --levels 5 --ratio 0.5 --out bunny.glb\n"
                   "  whittle lods bunny.obj --levels 4 --out lods/bunny.ply --lock boundary");
-  return [options] { return lods(*options); };
+  return [options, levels] {
+    options->levels_given = levels->count() > 0;
+    return lods(*options);
+  };
 }
 
 }  // namespace whittle::cli

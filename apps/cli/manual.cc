@@ -2,6 +2,7 @@
 
 #include "cli/commands.hh"
 #include "cli/report.hh"
+#include "recipe/Catalogue.hh"
 #include "version/Version.hh"
 
 namespace whittle::cli {
@@ -60,6 +61,7 @@ int print_manual(CLI::App& app) {
   out += ".SH DESCRIPTION\n" + roff(app.get_description()) + "\n";
   out += ".SH COMMANDS\n";
   for (CLI::App* command : commands) out += command_text(*command);
+  out += ".SH MODULES\n.nf\n" + roff(recipe::catalogue_help()) + ".fi\n";
   out += ".SH EXIT STATUS\n.nf\n" + roff(app.get_footer()) + "\n.fi\n";
   print_text(out);
   return 0;

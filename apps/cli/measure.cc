@@ -102,11 +102,14 @@ Command add_measure(CLI::App& app) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000000}))
       ->capture_default_str();
   command
-      ->add_option(
-          "--certify", options->certify,
-          "Prove also bounds on the largest distance over all points of both surfaces, that differ by at "
-          "most "
-          "this; in model units, in mean edges of the original (0.1e) or in percent of its diagonal (0.01%)")
+      ->add_option("--certify", options->certify,
+                   "Prove also bounds on the largest distance over all points of both surfaces. LENGTH is no "
+                   "limit on that "
+                   "distance, but how far the two bounds may lie apart: much less than the distance, as a "
+                   "tenth of the max "
+                   "measured; smaller takes longer. In model units, in mean edges of the original (0.1e) or "
+                   "in percent of its "
+                   "diagonal (0.01%)")
       ->type_name("LENGTH");
   command
       ->add_option(
@@ -132,8 +135,8 @@ Command add_measure(CLI::App& app) {
     const files::MeshFile original = files::read_mesh(options->original);
     const files::MeshFile simplified = files::read_mesh(options->simplified);
     if (!options->quiet) {
-      print_notes(options->original, original.report);
-      print_notes(options->simplified, simplified.report);
+      print_notes_on_shape(options->original, original.report);
+      print_notes_on_shape(options->simplified, simplified.report);
     }
     measure::DistanceOptions sampling;
     sampling.samples = options->samples;

@@ -24,6 +24,20 @@ std::string json_text(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Json names_of(const std::vector<files::Companion>& companions) {
+  Json out = Json::array();
+  for (const files::Companion& companion : companions) out.push_back(companion.path.string());
+  return out;
+}
+
+std::string beside_line(const Json& paths) {
+  std::string out;
+  for (const Json& path : paths)
+    out += (out.empty() ? "  written beside: " : ", ") +
+           text::printable(std::filesystem::path(path.get<std::string>()).filename().string());
+  return out.empty() ? out : out + "\n";
+}
+
 void print_text(const std::string& text) {
   files::write_file("-", text);
 }
@@ -43,8 +57,12 @@ void complain(const std::string& message) {
   std::cerr << (colour ? "\033[1mwhittle:\033[0m " : "whittle: ") << text::printable(message) << std::endl;
 }
 
-void print_notes(const std::string& path, const files::ReadReport& report) {
-  for (const std::string& note : report.notes()) complain(path + ": " + note);
+void print_notes(const std::string& path, const files::ReadReport& report, bool quiet) {
+  for (const std::string& note : quiet ? report.lost_files() : report.notes()) complain(path + ": " + note);
+}
+
+void print_notes_on_shape(const std::string& path, const files::ReadReport& report) {
+  for (const std::string& note : report.notes_on_shape()) complain(path + ": " + note);
 }
 
 std::vector<std::string> missed_because(const recipe::Recipe& recipe, const files::MeshFile& in,

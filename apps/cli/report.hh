@@ -15,6 +15,12 @@ using figures::to_json;
 /// JSON as a file has it. A file's name need not be UTF-8: what is not becomes a replacement character.
 std::string json_text(const Json& json);
 
+/// The paths of files that are written beside a result.
+Json names_of(const std::vector<files::Companion>& companions);
+
+/// The same as a line of text, "written beside: a.bin, skin.png"; empty where there are none.
+std::string beside_line(const Json& paths);
+
 /// Prints to standard output. \throw files::FileError  it is full or closed
 void print_text(const std::string& text);
 
@@ -24,7 +30,11 @@ void print_text(const std::string& text);
 bool print_summary(const std::string& text);
 
 /// Reports on stderr what a reader had to change or leave out.
-void print_notes(const std::string& path, const files::ReadReport& report);
+/// \param quiet  only the files that are named and were not read
+void print_notes(const std::string& path, const files::ReadReport& report, bool quiet = false);
+
+/// Only what matters to the shape.
+void print_notes_on_shape(const std::string& path, const files::ReadReport& report);
 
 /// A line on stderr in the program's name, whatever the message holds.
 void complain(const std::string& message);

@@ -110,12 +110,6 @@ Json names(const attributes::Attributes& attributes) {
   return out;
 }
 
-Json names_of(const std::vector<files::Companion>& companions) {
-  Json out = Json::array();
-  for (const files::Companion& companion : companions) out.push_back(companion.path.string());
-  return out;
-}
-
 /// By name, with how many faces each has.
 Json materials_json(const files::Parts& parts) {
   std::vector<std::size_t> faces(parts.materials.size(), 0);
@@ -124,6 +118,28 @@ Json materials_json(const files::Parts& parts) {
   Json out = Json::array();
   for (std::size_t i = 0; i < faces.size(); ++i)
     out.push_back({{"name", parts.materials[i].name}, {"faces", faces[i]}});
+  return out;
+}
+
+/// What is said of the run besides what the files could not hold.
+std::vector<std::string> notes_on(const recipe::Result& result) {
+  std::vector<std::string> notes;
+  if (result.refused_faces > 0)
+    notes.push_back(std::to_string(result.refused_faces) +
+                    " faces are not manifold and were left out; the driver bulk keeps them");
+  if (result.refit_dropped)
+    notes.emplace_back("the refit would break the bound on the distance and was left out");
+  if (result.retriangulation_dropped)
+    notes.emplace_back("the Delaunay retriangulation would break the bound on the distance and was left out");
+  return notes;
+}
+
+/// All lines on what was read, changed and left out.
+Json notes_json(const files::ReadReport& read, const files::WriteReport& written,
+                const recipe::Result& result) {
+  Json out = Json::array();
+  for (const auto& notes : {read.notes(), notes_on(result), written.notes()})
+    for (const std::string& note : notes) out.push_back(note);
   return out;
 }
 
@@ -148,6 +164,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
             {"materials", materials_json(in.parts)},
             {"files_beside", companions},
             {"reduced", written.reduced}}},
+          {"notes", notes_json(in.report, written, result)},
           {"attributes_dropped", options.drop},
           {"attribute_changes", changes},
           {"locks", options.locks},
@@ -171,7 +188,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
 
 std::string summary(const Options& options, const recipe::Recipe& recipe, const files::MeshFile& in,
                     const Json& changes, const recipe::Result& result, const std::string& materials,
-                    const Times& times) {
+                    const Json& companions, const Times& times) {
   const double before = static_cast<double>(in.mesh.triangles.size());
   const double after = static_cast<double>(result.mesh.triangles.size());
   std::string out =
@@ -181,6 +198,7 @@ std::string summary(const Options& options, const recipe::Recipe& recipe, const 
                    result.mesh.points.size(), result.flipped_faces, times_text(times).c_str());
   out += vanished_lines(charts_json(result), pieces_json(recipe, result));
   if (!materials.empty()) out += "  " + text::printable(materials) + "\n";
+  out += beside_line(companions);
   if (result.distance) out += text::format("  distance to the input: %s\n", figure(*result.distance).c_str());
   out += changes_line(changes);
   if (!options.verbose) return out;
@@ -224,14 +242,10 @@ std::string map_text(const files::MeshFile& in, const recipe::Result& result,
 }
 
 void warn(const Options& options, const recipe::Result& result, const files::WriteReport& written) {
+  for (const std::string& line : options.quiet ? written.lost_files : written.notes())
+    complain(options.out + ": " + line);
   if (options.quiet) return;
-  if (result.refused_faces > 0)
-    complain(options.in + ": " + std::to_string(result.refused_faces) +
-             " faces are not manifold and were left out; the driver bulk keeps them");
-  for (const std::string& note : written.notes()) complain(options.out + ": " + note);
-  if (result.refit_dropped) complain("the refit would break the bound on the distance and was left out");
-  if (result.retriangulation_dropped)
-    complain("the Delaunay retriangulation would break the bound on the distance and was left out");
+  for (const std::string& note : notes_on(result)) complain(options.in + ": " + note);
 }
 
 int complain_about_misses(const recipe::Recipe& recipe, const files::MeshFile& in,
@@ -271,9 +285,11 @@ int simplify(const Options& options) {
   reading.keep_scene = !options.flatten && files::holds_scenes(options.out, format);
   files::MeshFile in = files::read_mesh(options.in, reading);
   times.reading = watch.lap();
-  if (!options.quiet) print_notes(options.in, in.report);
+  print_notes(options.in, in.report, options.quiet);
   if (recipe.target.any()) require_faces(options.in, in);
   const Json attributes_read = names(in.attributes);
+  const bool digits_of_floats =
+      !in.single_precision && files::writes_text(options.out, format) && files::are_texts_of_floats(in.mesh);
   recipe::Givens givens = make_givens(options, in);
   const std::optional<files::ImageSize> image = files::texture_image_size(in.parts);
   std::vector<std::string> left_out = drop_attributes(options, options.out, format, in);
@@ -289,7 +305,8 @@ int simplify(const Options& options) {
   const Json changes = is_told ? attribute_changes(image, in, result) : Json(nullptr);
   times.measuring += watch.lap();
 
-  format.single_precision = in.single_precision;
+  format.single_precision = in.single_precision || digits_of_floats;
+  format.unit = in.unit;
   format.texture_at_vertices = in.texture_at_vertices;
   format.copy_materials = options.copy_materials;
   in.parts.of_face = result.parts;
@@ -313,7 +330,7 @@ int simplify(const Options& options) {
   int code = complain_about_misses(recipe, in, result);
   const bool stdout_is_taken = options.out == "-" || options.map == "-" || options.json == "-";
   if (!options.quiet && !stdout_is_taken &&
-      !print_summary(summary(options, recipe, in, changes, result, out.report.materials, times)))
+      !print_summary(summary(options, recipe, in, changes, result, out.report.materials, companions, times)))
     code = 1;
   return code;
 }

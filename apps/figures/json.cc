@@ -91,6 +91,8 @@ Json to_json(const recipe::StageResult& s) {
 }
 
 Json to_json(const files::ReadReport& r) {
+  std::vector<std::string> ignored = r.ignored;
+  ignored.insert(ignored.end(), r.ignored_besides.begin(), r.ignored_besides.end());
   return {{"format", r.format},
           {"polygons_split", r.polygons},
           {"polygons_concave", r.concave_polygons},
@@ -115,8 +117,9 @@ Json to_json(const files::ReadReport& r) {
           {"vertices_copied", r.copied_vertices},
           {"vertices_dropped", r.dropped_vertices},
           {"attributes_rounded", r.rounded},
-          {"attributes_ignored", r.ignored},
-          {"files_not_found", r.not_found}};
+          {"attributes_ignored", ignored},
+          {"files_not_found", r.not_found},
+          {"files_refused", r.refused}};
 }
 
 }  // namespace whittle::figures

@@ -7,6 +7,7 @@
 
 #include "files/Fault.hh"
 #include "files/settle.hh"
+#include "files/subset.hh"
 
 namespace whittle::files {
 namespace {
@@ -77,6 +78,7 @@ void GltfScene::add(const tinygltf::Primitive& primitive, const Matrix4d& transf
   for (auto& [name, channel] : channels_) pad(channel, file_.mesh.points.size());
   if (mode != TINYGLTF_MODE_POINTS)
     add_faces(primitive, count, transform.topLeftCorner<3, 3>().determinant() < 0);
+  stands_alone_.resize(file_.mesh.points.size(), mode == TINYGLTF_MODE_POINTS);
   add_part(has_material ? static_cast<std::uint32_t>(primitive.material) : Part::none, object);
   ++parts_;
 }
@@ -132,7 +134,7 @@ void GltfScene::add_skin(const Named& accessors, std::size_t count) {
 void GltfScene::add_target(const Named& accessors, std::size_t number, std::size_t count) {
   for (const auto& [name, accessor] : accessors) {
     if (name == "TANGENT") {
-      builder_.ignore(kTangents);
+      builder_.ignore_besides(kTangents);
       continue;
     }
     const std::size_t components = data_.components(accessor);
@@ -167,7 +169,7 @@ void GltfScene::add_attribute(const std::string& name, int accessor, std::size_t
   const std::size_t components = data_.components(accessor);
   Channel* channel = channel_for(channel_name(name), components);
   if (channel == nullptr) {
-    builder_.ignore(name == "TANGENT" ? kTangents : "attribute " + in_quotes(name));
+    builder_.ignore_besides(name == "TANGENT" ? kTangents : "attribute " + in_quotes(name));
     return;
   }
   if (data_.count(accessor) != count) throw Fault("attributes that are not as many as the vertices");
@@ -301,6 +303,13 @@ void GltfScene::add_face(std::uint32_t a, std::uint32_t b, std::uint32_t c, std:
     face_.push_back(known == no_vertex ? no_vertex : static_cast<std::uint32_t>(begin_ + known));
   }
   builder_.add_face(face_);
+}
+
+void GltfScene::drop_unused() const {
+  std::vector<bool> keep = stands_alone_;
+  for (const IndexedMesh::Triangle& triangle : file_.mesh.triangles)
+    for (const std::uint32_t vertex : triangle) keep[vertex] = true;
+  keep_vertices(file_, keep);
 }
 
 void GltfScene::finish() {

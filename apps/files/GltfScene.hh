@@ -36,6 +36,10 @@ class GltfScene {
   /// Hands the attributes over.
   void finish();
 
+  /// Takes out what the pieces' buffers have besides the vertices of their faces; points stay. The file's numbers of
+  /// vertices count all of them still.
+  void drop_unused() const;
+
  private:
   /// The values of an attribute, one for each vertex of glTF so far.
   struct Channel {
@@ -73,6 +77,7 @@ class GltfScene {
   std::size_t begin_ = 0;  ///< the first vertex of the piece at hand
   std::map<std::string, Channel> channels_;
   std::vector<std::uint32_t> face_;
+  std::vector<bool> stands_alone_;  ///< for each vertex whether it is there without a face
 };
 
 }  // namespace whittle::files

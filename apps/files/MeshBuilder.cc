@@ -122,12 +122,22 @@ void MeshBuilder::add_attribute(attributes::Attribute attribute, CornerValues& c
   file_.attributes.push_back(std::move(attribute));
 }
 
-void MeshBuilder::ignore(const std::string& what) {
-  // An absurd file may have no end of names.
-  constexpr std::size_t most = 100;
-  std::vector<std::string>& ignored = file_.report.ignored;
+namespace {
+
+void add_once(std::vector<std::string>& ignored, const std::string& what) {
+  constexpr std::size_t most = 100;  // an absurd file may have no end of names
   const std::string& note = ignored.size() < most ? what : "more";
   if (std::find(ignored.begin(), ignored.end(), note) == ignored.end()) ignored.push_back(note);
+}
+
+}  // namespace
+
+void MeshBuilder::ignore(const std::string& what) {
+  add_once(file_.report.ignored, what);
+}
+
+void MeshBuilder::ignore_besides(const std::string& what) {
+  add_once(file_.report.ignored_besides, what);
 }
 
 float MeshBuilder::component(double value) {

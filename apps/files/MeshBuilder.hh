@@ -64,6 +64,9 @@ class MeshBuilder {
   /// Notes what is not read, once.
   void ignore(const std::string& what);
 
+  /// The same of what is no part of the shape.
+  void ignore_besides(const std::string& what);
+
   /// A component of a normal, a colour or a texture coordinate; a value that is not finite becomes 0.
   float component(double value);
 

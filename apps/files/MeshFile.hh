@@ -82,13 +82,20 @@ struct ReadReport {
   std::size_t copied_vertices = 0;       ///< fix: made where the mesh was cut
   std::size_t dropped_vertices = 0;      ///< fix: not finite, or of no face; left out
 
-  std::vector<std::string> ignored;  ///< what is not read: "lines", "face colours"
-  /// Files that it names, of materials or images, which are missing, or outside of its folder and so not looked at
+  std::vector<std::string> ignored;          ///< what is not read: "lines", "face colours"
+  std::vector<std::string> ignored_besides;  ///< the same, of what is no part of the shape: "animations"
+  /// Files that it names, of materials or images, which are missing
   std::set<std::string> not_found;
+  /// Such that are not looked at, each with the reason: "'/a/b.mtl', an absolute path"
+  std::set<std::string> refused = {};
   std::vector<std::string> rounded;  ///< attributes with values that a 32-bit float does not hold
 
   /// One short line for each thing above that happened; empty where the mesh is the file as it stands.
   std::vector<std::string> notes() const;
+  /// Those of them that matter where only the shape counts, as it is measured.
+  std::vector<std::string> notes_on_shape() const;
+  /// Those of them that tell of files which are named and were not read.
+  std::vector<std::string> lost_files() const;
 };
 
 struct Scene;
@@ -98,7 +105,8 @@ struct MeshFile {
   attributes::Attributes attributes;   ///< at corners only where the corners of a vertex differ
   Parts parts;                         ///< which faces belong together, and their materials
   std::shared_ptr<const Scene> scene;  ///< glTF: where the mesh comes from, if that is asked for
-  double diagonal = 0;  ///< of all that the scene shows, model units; 0: the mesh is all that there is
+  double diagonal = 0;    ///< of all that the scene shows, model units; 0: the mesh is all that there is
+  std::string unit = {};  ///< 3MF: in which its numbers count, "inch"; empty: not said
   bool single_precision = false;     ///< the file holds 32-bit floats, so writing more digits adds nothing
   bool texture_at_vertices = false;  ///< PLY, OFF: a vertex for each texture coordinate along seams
   /// For each vertex of the file (STL: of those that were joined) the mesh's; `left_out`: it is in no face and was left
@@ -131,6 +139,9 @@ struct WriteOptions {
   std::string format = {};        ///< "ply", "glb", …: instead of what the extension says
   /// PLY: a vertex for each texture coordinate along seams instead of a list at each face
   bool texture_at_vertices = false;
+  /// In which the numbers count, as 3MF says it: "inch". No other format does. Empty: not known, which 3MF takes as the
+  /// millimetre
+  std::string unit = {};
   /// Libraries of materials and images that are files: copied beside the result, instead of referred to where they are
   bool copy_materials = false;
   /// glTF: bits of a coordinate where positions, normals and texture coordinates are rounded, KHR_mesh_quantization, 8 to 16;
@@ -152,10 +163,19 @@ std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
 /// \throw FileError  unknown format
 bool holds_materials(const std::filesystem::path& path, const WriteOptions& options, const Parts& parts);
 
+/// Whether a file of this name has its coordinates as text.
+/// \throw FileError  unknown format
+bool writes_text(const std::filesystem::path& path, const WriteOptions& options = {});
+
+/// Whether all coordinates are numbers of so few digits that text of 32-bit floats says them: each is the shortest text
+/// of a float, or that of nine digits, but for the last bits of a double.
+bool are_texts_of_floats(const IndexedMesh& mesh);
+
 /// What a file could not take.
 struct WriteReport {
-  std::vector<std::string> left_out;  ///< "colours", "property 'quality'"
-  std::vector<std::string> reduced;   ///< lines: "colours rounded to 8 bits"
+  std::vector<std::string> left_out;    ///< "colours", "property 'quality'"
+  std::vector<std::string> reduced;     ///< lines: "colours rounded to 8 bits"
+  std::vector<std::string> lost_files;  ///< lines on files that are named, but were not read
   /// What became of the materials, a line: "materials in two.mtl", "textures a.png"; empty: there are none
   std::string materials;
   /// OBJ, PLY, OFF, GLB (of all levels): written again for values that differ at their corners

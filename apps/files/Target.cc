@@ -79,7 +79,11 @@ Target find_target(const fs::path& path) {
     target.path = path;
     return target;
   }
-  require_access(folder_of(target.path), W_OK | X_OK);
+  const fs::path folder = folder_of(target.path);
+  std::error_code error;
+  if (!fs::exists(folder, error) && !error)
+    throw Fault("its folder does not exist; make it first");
+  require_access(folder, W_OK | X_OK);
   if (target.exists) require_replaceable(folder_of(target.path), target.old);
   return target;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "files/beside.hh"
+#include "files/image_type.hh"
 
 namespace whittle::files {
 
@@ -24,12 +25,13 @@ std::string add_companion(std::vector<Companion>& companions, const fs::path& fi
   return free;
 }
 
-std::string CompanionCopier::copy(const fs::path& from) {
+std::string CompanionCopier::copy(const fs::path& from, bool only_images) {
   const auto [place, is_new] = known_.emplace(from, "");
   if (!is_new) return place->second;
   const std::string own = from.filename().string();
   if (is_same_file(from, file_.parent_path() / own)) return place->second = own;
   auto bytes = bytes_of(from, kMost);
+  if (bytes && only_images && !is_image(*bytes)) bytes.reset();
   return place->second = bytes ? add_companion(companions_, file_, own, std::move(*bytes)) : "";
 }
 

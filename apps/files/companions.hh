@@ -26,8 +26,9 @@ class CompanionCopier {
   CompanionCopier(const std::filesystem::path& file, std::vector<Companion>& companions)
       : file_(file), companions_(companions) {}
 
+  /// \param only_images  whether it must begin as an image does
   /// \return the name of the copy, or of the file that is there already; empty where it cannot be read
-  std::string copy(const std::filesystem::path& from);
+  std::string copy(const std::filesystem::path& from, bool only_images = false);
 
  private:
   const std::filesystem::path& file_;

@@ -82,7 +82,7 @@ std::string ply_bytes(const IndexedMesh& mesh, const attributes::Attributes& att
 std::string stl_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
                       const WriteOptions& options, WriteReport& report);
 std::string three_mf_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
-                           const WriteOptions& options, WriteReport& report);
+                           const WriteOptions& options, const Parts& parts, WriteReport& report);
 std::string om_bytes(const IndexedMesh& mesh, const attributes::Attributes& attributes,
                      const WriteOptions& options, WriteReport& report);
 

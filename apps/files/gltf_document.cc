@@ -60,7 +60,7 @@ class Filter {
     extensions_ = 0;
     for (const Section& section : sections) {
       if (section.key != key) continue;
-      if (section.meaning != nullptr && !keeps_scene_) builder_.ignore(section.meaning);
+      if (section.meaning != nullptr && !keeps_scene_) builder_.ignore_besides(section.meaning);
       return section.meaning == nullptr;
     }
     return false;
@@ -71,7 +71,7 @@ class Filter {
       return key == "KHR_draco_mesh_compression";
     if (depth <= extensions_) extensions_ = 0;
     if (section_ == "meshes" && key == "extensions") extensions_ = depth;
-    if (section_ == "meshes" && key == "targets" && !keeps_scene_) builder_.ignore("morph targets");
+    if (section_ == "meshes" && key == "targets" && !keeps_scene_) builder_.ignore_besides("morph targets");
     if (key == "extensions") return section_ != "accessors";
     if (key == "name") return section_ == "nodes" || section_ == "materials" || section_ == "images";
     return key != "extras" && (key != "targets" || keeps_scene_) && key != "weights";

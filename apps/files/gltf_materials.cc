@@ -95,9 +95,12 @@ class Reader {
       image.bytes = decode_data_uri(uri);
     } else {
       image.name = decode_percents(uri);
-      const auto file = beside(path_, image.name);
-      std::error_code error;
-      if (file && std::filesystem::is_regular_file(*file, error)) image.path = *file;
+      const Link link = follow_beside(path_, image.name);
+      if (link.is_there) image.path = link.path;
+      if (!link.refusal.empty()) {
+        file_.report.refused.insert(link.refusal);
+        return std::nullopt;
+      }
     }
     if (image.bytes.empty() && image.path.empty()) {
       if (!image.name.empty()) file_.report.not_found.insert(image.name);

@@ -121,6 +121,7 @@ void read_flat(const GltfDocument& document, const tinygltf::Model& model, GltfD
       scene.add(primitive, instance.transform, instance.name);
   }
   scene.finish();
+  scene.drop_unused();
   read_gltf_materials(document.looks, data, path, file);
 }
 
@@ -139,6 +140,7 @@ void read_kept(const GltfDocument& document, const tinygltf::Model& model, GltfD
   read_gltf_materials(document.looks, data, kept->path, file, texture_uses(document.looks));
   tell_looks_apart(*kept, file.parts);
   arrange(*kept, each_instance(document.instances, data), model.meshes.size(), file);
+  scene.drop_unused();
   file.diagonal = kept->diagonal;
   file.scene = std::move(kept);
 }

@@ -10,12 +10,6 @@
 namespace whittle::files {
 namespace {
 
-/// `https:`, `file:`: letters before a colon; a single one is a drive.
-bool has_scheme(std::string_view uri) {
-  const std::size_t colon = uri.find(':');
-  return colon != std::string_view::npos && uri.substr(0, colon).find('/') == std::string_view::npos;
-}
-
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -61,12 +55,11 @@ std::string read_beside(const std::filesystem::path& path, std::string_view uri)
   if (path == "-")
     throw Fault("its data are in the file " + in_quotes(uri) +
                 ", which standard input does not have beside it");
-  if (has_scheme(uri))
-    throw Fault("its data are at " + in_quotes(uri) + "; only files in its folder are read");
   const std::string name = decode_percents(uri);
-  const auto file = beside(path, name);
-  if (!file) throw Fault("its data are outside of its folder, in " + in_quotes(name));
-  auto bytes = bytes_of(*file, static_cast<std::size_t>(-1) / 4);
+  const Link link = follow_beside(path, name);
+  if (!link.refusal.empty())
+    throw Fault("its data are refused: " + link.refusal + "; only files in its folder are read");
+  auto bytes = bytes_of(link.path, static_cast<std::size_t>(-1) / 4);
   if (!bytes) throw Fault("its data cannot be read: " + in_quotes(name) + " is missing or not a file");
   return std::move(*bytes);
 }

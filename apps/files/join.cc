@@ -45,27 +45,30 @@ void drop_collapsed(MeshFile& file, const std::vector<std::uint32_t>& root) {
 /// \param root  for each vertex the first of those that it is joined with
 void merge(MeshFile& file, const std::vector<std::uint32_t>& root) {
   IndexedMesh& mesh = file.mesh;
-  std::vector<std::uint32_t> first;  // of each vertex of the result, among those of the file
-  file.vertex_of.resize(root.size());
+  std::vector<std::uint32_t> first;  // of each vertex of the result, among those before
+  std::vector<std::uint32_t> now(root.size());
   for (std::uint32_t v = 0; v < root.size(); ++v) {
     if (root[v] == v) {
-      file.vertex_of[v] = static_cast<std::uint32_t>(first.size());
+      now[v] = static_cast<std::uint32_t>(first.size());
       mesh.points[first.size()] = mesh.points[v];
       first.push_back(v);
     } else {
-      file.vertex_of[v] = file.vertex_of[root[v]];
+      now[v] = now[root[v]];
     }
   }
   mesh.points.resize(first.size());
   const std::vector<IndexedMesh::Triangle> before = mesh.triangles;
   for (IndexedMesh::Triangle& triangle : mesh.triangles)
-    for (std::uint32_t& corner : triangle) corner = file.vertex_of[corner];
+    for (std::uint32_t& corner : triangle) corner = now[corner];
   for (attributes::Attribute& attribute : file.attributes) {
     if (!attribute.per_vertex()) continue;
     attribute.corners = before;
     settle(attribute, mesh, first);
     if (attribute.kind == attributes::Kind::texture) file.texture_at_vertices |= !attribute.per_vertex();
   }
+  for (std::uint32_t& vertex : file.vertex_of)
+    if (vertex != MeshFile::left_out) vertex = now[vertex];
+  if (file.vertex_of.empty()) file.vertex_of = std::move(now);
   file.report.merged_vertices += root.size() - first.size();
 }
 

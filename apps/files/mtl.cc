@@ -149,17 +149,15 @@ class LibraryReader {
 
   void add_image(std::string_view keyword, const ImageUse& use) {
     const std::string name(use.name);
-    const auto path = beside(path_, name);
-    std::error_code error;
-    if (!path || !std::filesystem::is_regular_file(*path, error)) {
-      if (!name.empty()) file_.report.not_found.insert(name);
-      return;
-    }
-    if (keyword != "map_Kd" || !current_) return;
+    if (name.empty()) return;
+    const Link link = follow(path_, name);
+    if (!link.refusal.empty()) file_.report.refused.insert(link.refusal);
+    if (!link.path.empty() && !link.is_there) file_.report.not_found.insert(name);
+    if (!link.is_there || keyword != "map_Kd" || !current_) return;
     current_->image = file_.parts.images.size();
     current_->texture_scale = use.scale;
     current_->texture_offset = use.offset;
-    file_.parts.images.push_back({name, *path});
+    file_.parts.images.push_back({name, link.path});
   }
 
   MeshFile& file_;
@@ -180,13 +178,11 @@ std::vector<Library> split_names(const std::vector<Library>& libraries, const st
   std::set<std::string> seen;
   const auto add = [&](const std::string& name) {
     if (!seen.insert(name).second) return;
-    out.push_back({name, obj == "-" ? std::filesystem::path() : obj.parent_path() / name});
+    out.push_back({name, follow(obj, name).path});
   };
   for (const Library& library : libraries) {
-    std::error_code error;
-    const auto whole = beside(obj, library.name);
     std::string_view rest = library.name;
-    if (whole && std::filesystem::is_regular_file(*whole, error))
+    if (follow(obj, library.name).is_there)
       add(library.name);
     else
       while (!rest.empty()) add(std::string(take_word(rest)));
@@ -199,13 +195,23 @@ std::vector<Library> split_names(const std::vector<Library>& libraries, const st
 void read_libraries(MeshFile& file, const std::filesystem::path& obj) {
   file.parts.libraries = split_names(file.parts.libraries, obj);
   for (const Library& library : file.parts.libraries) {
-    const auto path = beside(obj, library.name);
-    const auto text = path ? bytes_of(*path, kMostLibrary) : std::nullopt;
-    if (text)
-      LibraryReader(file, *path).read(*text);
-    else
+    const Link link = follow(obj, library.name);
+    const auto text = link.is_there ? bytes_of(link.path, kMostLibrary) : std::nullopt;
+    if (!link.refusal.empty())
+      file.report.refused.insert(link.refusal);
+    else if (!text)
       file.report.not_found.insert(library.name);
+    else if (!link.is_inside && !is_library(*text))
+      file.report.refused.insert("'" + library.name + "', which is no library of materials");
+    else
+      LibraryReader(file, link.path).read(*text);
   }
+}
+
+bool is_library(std::string_view text) {
+  bool has_material = false;
+  for_each_line(text, [&](std::string_view line) { has_material |= take_word(line) == "newmtl"; });
+  return has_material;
 }
 
 std::string with_images(std::string_view library,

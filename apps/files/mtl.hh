@@ -10,10 +10,14 @@
 
 namespace whittle::files {
 
-/// Finds the libraries that an OBJ file names, and what the materials of its parts are there. Only files in the OBJ
-/// file's folder and below are read; those that are missing or elsewhere are noted, and stay named.
+/// Finds the libraries that an OBJ file names, and what the materials of its parts are there. Paths are
+/// followed as they are relative to the file that they stand in, also out of its folder; there only what has a material
+/// counts as a library. Those that are missing or refused are noted, and stay named.
 /// \param obj  where the OBJ file is; "-": nothing is read
 void read_libraries(MeshFile& file, const std::filesystem::path& obj);
+
+/// Whether a text has a material in it.
+bool is_library(std::string_view text);
 
 /// A library with the names of its images replaced.
 /// \param new_name  called with each as it stands there

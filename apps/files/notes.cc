@@ -80,8 +80,25 @@ std::vector<std::string> ReadReport::notes() const {
   notes.add(lone_faces, "face stands", "faces stand",
             " alone; if neighbours lie near one another, --weld LENGTH joins them");
   notes.add_list("rounded to 32-bit floats: ", rounded);
-  notes.add_list("not read: ", ignored);
-  notes.add_list("not found in its folder: ", {not_found.begin(), not_found.end()});
+  std::vector<std::string> all = ignored;
+  all.insert(all.end(), ignored_besides.begin(), ignored_besides.end());
+  notes.add_list("not read: ", all);
+  notes.add_lines(lost_files());
+  return notes.take();
+}
+
+std::vector<std::string> ReadReport::notes_on_shape() const {
+  ReadReport shape = *this;
+  shape.ignored_besides.clear();
+  shape.not_found.clear();
+  shape.refused.clear();
+  return shape.notes();
+}
+
+std::vector<std::string> ReadReport::lost_files() const {
+  Notes notes;
+  notes.add_list("not found: ", {not_found.begin(), not_found.end()});
+  for (const std::string& name : refused) notes.add_lines({"refused: " + name});
   return notes.take();
 }
 
@@ -90,6 +107,7 @@ std::vector<std::string> WriteReport::notes() const {
   notes.add_lines(reduced);
   notes.add(doubled_vertices, "vertex", "vertices", " written again for values that differ at their corners");
   notes.add_list("not written: ", left_out);
+  notes.add_lines(lost_files);
   return notes.take();
 }
 

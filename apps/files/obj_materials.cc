@@ -19,12 +19,13 @@ class LibraryCopier {
   /// \return what the new file calls it
   std::string copy(const Library& library) {
     const auto text = bytes_of(library.path, CompanionCopier::kMost);
-    if (!text) return relative_name(library.path, path_.parent_path());
+    if (!text || !is_library(*text)) return relative_name(library.path, path_.parent_path());
     std::string own = library.path.filename().string();
     const std::string renamed = with_images(*text, [&](const std::string& image) {
-      const auto from = beside(library.path, image);
-      const std::string copied = from ? images_.copy(*from) : "";
-      return copied.empty() ? image : copied;
+      const Link link = follow(library.path, image);
+      const std::string copied = link.is_there ? images_.copy(link.path, !link.is_inside) : "";
+      if (!copied.empty() || link.path.empty()) return copied.empty() ? image : copied;
+      return relative_name(link.path, path_.parent_path());
     });
     if (is_same_file(library.path, path_.parent_path() / own) && renamed == *text) return own;
     return add_companion(companions_, path_, own, renamed);

@@ -39,6 +39,12 @@ bool wants_weight(const Attribute& colour, std::size_t numbers) {
   return true;
 }
 
+std::string on_one_line(std::string name) {
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  return name;
+}
+
 /// The statements that make one part of another; null: there was none before.
 void write_part(TextWriter& out, const Part& part, const Part* before,
                 const std::vector<std::string>& materials) {
@@ -46,7 +52,7 @@ void write_part(TextWriter& out, const Part& part, const Part* before,
   const Part& old = before ? *before : nothing;
   const auto write = [&](const char* keyword, const std::string& now, const std::string& then,
                          const char* otherwise) {
-    if (now != then) out << keyword << (now.empty() ? otherwise : now) << "\n";
+    if (now != then) out << keyword << (now.empty() ? otherwise : on_one_line(now)) << "\n";
   };
   const auto name = [&](const Part& of) {
     return of.material == Part::none ? std::string() : materials[of.material];

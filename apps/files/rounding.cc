@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "files/Choice.hh"
@@ -18,7 +19,33 @@ Eigen::AlignedBox3d box_of(const IndexedMesh& mesh) {
   return box;
 }
 
+/// The number that a float's text says: the shortest, or one of so many digits.
+double said_by_text(float value, int digits) {
+  char text[32];
+  const auto written =
+      digits == 0 ? std::to_chars(text, text + sizeof(text), value)
+                  : std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits);
+  double said = 0;
+  std::from_chars(text, written.ptr, said);
+  return said;
+}
+
 }  // namespace
+
+bool are_texts_of_floats(const IndexedMesh& mesh) {
+  double largest = 0;
+  for (const Point& point : mesh.points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
+  const double last_bits = 1e-14 * largest;
+  if (!(largest < 1e30)) return false;
+  for (const Point& point : mesh.points)
+    for (const double value : point) {
+      const auto narrow = static_cast<float>(value);
+      if (std::abs(said_by_text(narrow, 0) - value) > last_bits &&
+          std::abs(said_by_text(narrow, 9) - value) > last_bits)
+        return false;
+    }
+  return true;
+}
 
 double largest_rounding(const IndexedMesh& mesh, const Point& origin) {
   double largest = 0;

@@ -25,6 +25,20 @@ void embed_image(GltfOutput& output, std::size_t number, const std::string& byte
   image["bufferView"] = view;
 }
 
+/// One that is not carried over: its name leads to the same place from the result, where that can be.
+void rename_image(const Scene& scene, const fs::path& path, const Link& link, const std::string& name,
+                  GltfOutput::Json& image, Encoded& out) {
+  const Link anywhere = follow(scene.path, name);
+  std::string now = name;
+  if (!anywhere.path.empty()) {
+    now = relative_name(anywhere.path, path == "-" ? fs::path() : path.parent_path());
+    image["uri"] = encode_percents(now);
+  }
+  out.report.lost_files.push_back(
+      "the image " + (link.refusal.empty() ? "'" + name + "' is missing" : link.refusal + ", is refused") +
+      "; the result names it " + (now == name ? "as it was" : "'" + now + "'"));
+}
+
 }  // namespace
 
 void carry_images(const Scene& scene, const fs::path& path, bool into_glb, GltfOutput& output, Encoded& out) {
@@ -36,7 +50,8 @@ void carry_images(const Scene& scene, const fs::path& path, bool into_glb, GltfO
     const std::string uri = image["uri"].get<std::string>();
     if (is_data_uri(uri)) continue;
     const std::string name = decode_percents(uri);
-    const auto from = beside(scene.path, name);
+    const Link link = follow_beside(scene.path, name);
+    const auto from = link.is_there ? std::optional(link.path) : std::nullopt;
     if (!into_glb && from && is_same_file(*from, path.parent_path() / name)) continue;
     const auto bytes = into_glb && from ? bytes_of(*from, CompanionCopier::kMost) : std::nullopt;
     const std::string copied = !into_glb && from ? copier.copy(*from) : "";
@@ -45,8 +60,7 @@ void carry_images(const Scene& scene, const fs::path& path, bool into_glb, GltfO
     else if (!copied.empty())
       image["uri"] = encode_percents(copied);
     else
-      leave_out(out.report,
-                "image " + in_quotes(name) + ", which is not in the input's folder; it is still named");
+      rename_image(scene, path, link, name, image, out);
   }
 }
 

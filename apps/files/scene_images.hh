@@ -10,7 +10,8 @@
 
 namespace whittle::files {
 
-/// Puts them into a GLB, or beside a .gltf. One that is not in the input's folder is noted, and stays named as it is.
+/// Puts them into a GLB, or beside a .gltf. One that is missing or refused is noted, and its
+/// name becomes one that leads to the same place from the result.
 /// \param path  of the result
 void carry_images(const Scene& scene, const std::filesystem::path& path, bool into_glb, GltfOutput& output,
                   Encoded& out);

@@ -17,6 +17,7 @@
 #include "files/XmlReader.hh"
 #include "files/Zip.hh"
 #include "files/formats.hh"
+#include "files/three_mf_names.hh"
 
 namespace whittle::files {
 namespace {
@@ -30,6 +31,7 @@ struct Instance {
 };
 
 struct Object {
+  std::string name;
   std::vector<IndexedMesh::Point> points;
   std::vector<std::array<std::int64_t, 3>> triangles;
   std::vector<Instance> components;
@@ -89,6 +91,9 @@ class Package {
     read_model(root, true);
     for (const Instance& item : items_) add(item, identity(), 0);
     if (parts_ > 1) file_.report.parts = parts_;
+    const bool is_named = std::any_of(file_.parts.list.begin(), file_.parts.list.end(),
+                                      [](const Part& part) { return !part.object.empty(); });
+    if (parts_ <= 1 && !is_named) file_.parts = {};
   }
 
  private:
@@ -106,7 +111,9 @@ class Package {
       if (xml.name() == "object" && !xml.closes())
         object = &new_object(model, xml);
       else if (xml.name() == "model" && is_root)
-        note_unit(xml.attribute("unit"));
+        take_unit(xml.attribute("unit"));
+      else if (xml.name() == "metadata" && xml.attribute("name") != "Application")
+        builder_.ignore_besides("metadata");
       else if (xml.name() == "item" && is_root)
         items_.push_back(instance(model, xml));
       else if (object != nullptr)
@@ -118,6 +125,7 @@ class Package {
     note_properties(xml);
     const auto [object, is_new] = objects_.emplace(Name(model, xml.attribute("id")), Object());
     if (!is_new) throw Fault("a second object " + in_quotes(xml.attribute("id")));
+    object->second.name = xml_plain(xml.attribute("name"));
     return object->second;
   }
 
@@ -143,12 +151,15 @@ class Package {
             std::string(xml.attribute("objectid")), parse_transform(xml.attribute("transform"))};
   }
 
-  void note_unit(std::string_view unit) {
-    if (!unit.empty() && unit != "millimeter") builder_.ignore("the unit, " + in_quotes(unit));
+  void take_unit(std::string_view unit) {
+    if (is_three_mf_unit(unit))
+      file_.unit = unit;
+    else if (!unit.empty())
+      builder_.ignore("the unit, " + in_quotes(unit) + ", which 3MF does not know");
   }
 
   void note_properties(const XmlReader& xml) {
-    if (xml.has("pid")) builder_.ignore("materials, colours and texture");
+    if (xml.has("pid")) builder_.ignore_besides("materials, colours and texture");
   }
 
   /// An archive of some bytes can name an object any number of times.
@@ -192,6 +203,8 @@ class Package {
       if (mirrored) std::swap(corners[1], corners[2]);
       builder_.add_face(corners);
     }
+    file_.parts.of_face.resize(file_.mesh.triangles.size(), static_cast<std::uint32_t>(parts_));
+    file_.parts.list.push_back({Part::none, object.name, "", ""});
     ++parts_;
   }
 

@@ -104,12 +104,9 @@ void check_parts(const IndexedMesh& mesh, const Parts& parts) {
 }
 
 /// "materials in a.mtl, b.mtl": for people.
-std::string where_materials_are(const char* what, const std::vector<std::string>& names,
-                                const std::vector<Companion>& companions) {
+std::string where_materials_are(const char* what, const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? what : ", ") + name;
-  for (std::size_t i = 0; i < companions.size(); ++i)
-    text += (i == 0 ? "; written beside: " : ", ") + companions[i].path.filename().string();
   return text;
 }
 
@@ -123,7 +120,7 @@ void encode_obj(const std::filesystem::path& path, const IndexedMesh& mesh,
                 Encoded& out) {
   const std::vector<std::string> libraries = obj_materials(parts, path, options.copy_materials, out);
   out.bytes = obj_bytes(mesh, attributes, options, parts, libraries, out.report);
-  out.report.materials = where_materials_are("materials in ", libraries, out.companions);
+  out.report.materials = where_materials_are("materials in ", libraries);
 }
 
 void encode_ply(const std::filesystem::path& path, const IndexedMesh& mesh,
@@ -132,7 +129,7 @@ void encode_ply(const std::filesystem::path& path, const IndexedMesh& mesh,
   PlyImages images;
   if (has_images(parts)) images = ply_images(parts, path, options.copy_materials, out);
   out.bytes = ply_bytes(mesh, attributes, options, images, out.report);
-  out.report.materials = where_materials_are("textures ", images.names, out.companions);
+  out.report.materials = where_materials_are("textures ", images.names);
 }
 
 /// Whether a format can hold an attribute.
@@ -195,6 +192,8 @@ void encode_as(const std::filesystem::path& path, const IndexedMesh& mesh,
     report.first_vertex = std::move(split.first);
     return encode_as(path, split.mesh, split.attributes, options, format, parts, out);
   }
+  const bool has_unit = !options.unit.empty() && options.unit != "millimeter";
+  if (has_unit && format != Format::three_mf) leave_out(report, "the unit, '" + options.unit + "'");
   if (!can_hold_materials(format, parts) && parts.has_materials()) leave_out(report, "materials");
   switch (format) {
     case Format::obj:
@@ -208,7 +207,7 @@ void encode_as(const std::filesystem::path& path, const IndexedMesh& mesh,
       out.bytes = stl_bytes(mesh, attributes, options, report);
       break;
     case Format::three_mf:
-      out.bytes = three_mf_bytes(mesh, attributes, options, report);
+      out.bytes = three_mf_bytes(mesh, attributes, options, parts, report);
       break;
     case Format::om:
       out.bytes = om_bytes(mesh, attributes, options, report);
@@ -244,6 +243,13 @@ std::vector<std::string> take_unwritable(attributes::Attributes& attributes,
 
 bool holds_scenes(const std::filesystem::path& path, const WriteOptions& options) {
   return naming(path, [&] { return is_gltf(format_to_write(path, options)); });
+}
+
+bool writes_text(const std::filesystem::path& path, const WriteOptions& options) {
+  const Format format = naming(path, [&] { return format_to_write(path, options); });
+  const bool may_be_text = format == Format::ply || format == Format::stl;
+  return format == Format::obj || format == Format::off || format == Format::three_mf ||
+         (may_be_text && options.ascii);
 }
 
 bool holds_materials(const std::filesystem::path& path, const WriteOptions& options, const Parts& parts) {

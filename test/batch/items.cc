@@ -176,13 +176,25 @@ TEST_CASE("a bad folder or manifest is refused in one line that names it") {
     }
     return "";
   };
-  CHECK_THAT(why(folder.path() / "missing", ""), Contains("missing: there is no such file"));
+  CHECK_THAT(why(folder.path() / "missing", ""),
+             Contains("missing: there is no folder of this name, nor a list of meshes"));
+  CHECK_THAT(why(folder.path() / "*.obj", ""), Contains("a pattern is not one: name the folder"));
   std::ofstream(folder.path() / "list") << "a.ply\nb.txt\n";
   CHECK_THAT(why(folder.path() / "list", ""), Contains("list:2: not the name of a mesh file"));
   std::ofstream(folder.path() / "twice") << "x/a.ply\ny/a.ply\n";
   CHECK_THAT(why(folder.path() / "twice", ""), Contains("would both become"));
   touch(folder.path() / "in/a.ply");
   touch(folder.path() / "in/a.obj");
-  CHECK_THAT(why(folder.path() / "in", "glb"), Contains("would both become"));
+  CHECK_THAT(why(folder.path() / "in/a.ply", ""), Contains("is a mesh; batch takes a folder"));
   CHECK(why(folder.path() / "in", "").empty());
+}
+
+TEST_CASE("results that would be called the same keep the extensions of their inputs in their names") {
+  const scratch::Folder folder;
+  const fs::path in = folder.path() / "in";
+  for (const char* name : {"a.ply.gz", "a.obj", "a.OFF", "b.obj"}) touch(in / name);
+  std::vector<fs::path> names;
+  for (const Item& item : list_items(in, "out", "stl").items) names.push_back(item.out);
+  std::sort(names.begin(), names.end());
+  CHECK(names == std::vector<fs::path>{"out/a.obj.stl", "out/a.off.stl", "out/a.ply.stl", "out/b.stl"});
 }

@@ -157,7 +157,7 @@ TEST_CASE("unwritable targets are refused before and when writing") {
   const Folder folder;
   folder.put("file", "x");
   fs::create_directory(folder / "folder.obj");
-  check_refused(folder, "none/a.obj", "none/a.obj: No such file or directory");
+  check_refused(folder, "none/a.obj", "none/a.obj: its folder does not exist; make it first");
   check_refused(folder, "file/a.obj", "file/a.obj: Not a directory");
   check_refused(folder, "folder.obj", "folder.obj: Is a directory");
   const std::string long_name = std::string(300, 'n') + ".obj";

@@ -112,8 +112,10 @@ TEST_CASE("glTF: unknown versions and required extensions are refused") {
 }
 
 TEST_CASE("glTF: data outside the file are refused") {
-  CHECK(error_of([](Json& j) { j["buffers"][0]["uri"] = "../a.bin"; }) ==
-        "a.gltf: its data are outside of its folder, in '../a.bin'");
+  CHECK(
+      error_of([](Json& j) { j["buffers"][0]["uri"] = "../a.bin"; }) ==
+      "a.gltf: its data are refused: '../a.bin', which leads out of its folder; only files in its folder are "
+      "read");
   CHECK(error_of([](Json& j) { j["buffers"][0]["uri"] = "data:text/plain,abc"; }) ==
         "a.gltf: its data are not in base64");
   CHECK(error_of([](Json& j) { j["buffers"][0]["uri"] = "data:;base64,?"; }) == "a.gltf: damaged base64");

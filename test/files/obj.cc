@@ -90,7 +90,7 @@ TEST_CASE("OBJ: what is not read is named once") {
         Names{"not read: vertex weights, lines, points, free-form geometry, display "
               "settings, depths of texture coordinates, texture coordinates that no face uses, normals that "
               "no face uses",
-              "not found in its folder: a.mtl"});
+              "not found: a.mtl"});
 }
 
 TEST_CASE("OBJ: a mesh without faces is read") {

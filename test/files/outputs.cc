@@ -147,7 +147,7 @@ TEST_CASE("outputs: one that cannot be written is refused when it is added") {
   const Folder folder;
   Outputs outputs;
   CHECK(folder.message([&] { outputs.add("OUT", folder / "none/a"); }) ==
-        "none/a: No such file or directory");
+        "none/a: its folder does not exist; make it first");
 }
 
 TEST_CASE("write_file: a replaced file keeps its owner and its bits where that is allowed") {

@@ -102,8 +102,10 @@ TEST_CASE("OBJ: a library is referred to where it is") {
   const MeshFile back = read_mesh(folder / "out/b.obj");
   CHECK(named(back, 0) == named(file, 0));
   CHECK(named(back, 1) == named(file, 1));
-  // Outside of its own folder it is not looked at.
-  CHECK(back.report.not_found == std::set<std::string>{"../in/two.mtl"});
+  // What Whittle has written it reads with all that it names.
+  CHECK(back.report.notes().empty());
+  REQUIRE(back.parts.images.size() == 1);
+  CHECK(std::filesystem::equivalent(back.parts.images[0].path, folder / "in/textures/a.png"));
 }
 
 TEST_CASE("OBJ: a library is copied with its images, whose names follow") {
@@ -137,23 +139,63 @@ TEST_CASE("OBJ: a library that is missing is noted, stays named, and its materia
   const Folder folder;
   const MeshFile file = folder.read("a.obj", two_parts());
   CHECK(file.report.not_found == std::set<std::string>{"two.mtl"});
-  CHECK(file.report.notes() == Names{"not found in its folder: two.mtl"});
+  CHECK(file.report.notes() == Names{"not found: two.mtl"});
   write_mesh(folder / "b.obj", file.mesh, {}, {}, file.parts);
   CHECK(named(read_mesh(folder / "b.obj"), 0) == named(file, 0));
   CHECK(folder.get("b.obj").rfind("mtllib two.mtl\n", 0) == 0);
 }
 
-TEST_CASE("OBJ: libraries outside of the folder are not read") {
+TEST_CASE("OBJ: libraries and images are found by any relative path, with slashes or backslashes") {
+  const Folder folder;
+  std::filesystem::create_directories(folder / "in/models");
+  std::filesystem::create_directories(folder / "in/textures");
+  std::filesystem::create_directories(folder / "out/deep");
+  folder.put("in/textures/a.png", kPng);
+  folder.put("in/two.mtl",
+             "newmtl red one\nKd 0 1 0\nmap_Kd textures\\a.png\nmap_Bump ../gone.png\nnewmtl blue\n");
+  std::string text = two_parts();
+  text.replace(text.find("two.mtl"), 7, "..\\two.mtl");
+  const MeshFile file = folder.read("in/models/a.obj", text);
+  CHECK(file.report.notes() == Names{"not found: ../gone.png"});
+  CHECK(file.parts.materials[0].colour[0] == 0);
+  WriteOptions options;
+  options.copy_materials = true;
+  write_mesh(folder / "out/deep/b.obj", file.mesh, options, {}, file.parts);
+  CHECK(folder.get("out/deep/b.obj").rfind("mtllib two.mtl\n", 0) == 0);
+  // What could not be copied is named from where the copy is.
+  CHECK(folder.get("out/deep/two.mtl") ==
+        "newmtl red one\nKd 0 1 0\nmap_Kd a.png\nmap_Bump ../../gone.png\nnewmtl blue\n");
+  CHECK(folder.get("out/deep/a.png") == kPng);
+  write_mesh(folder / "out/c.obj", file.mesh, {}, {}, file.parts);
+  CHECK(folder.get("out/c.obj").rfind("mtllib ../in/two.mtl\n", 0) == 0);
+}
+
+TEST_CASE("OBJ: what lies outside of the folder is read and copied only where it is what it is said to be") {
   const Folder folder;
   std::filesystem::create_directories(folder / "in");
-  folder.put("secret.mtl", "newmtl a\nKd 0 1 0\n");
-  std::filesystem::create_symlink("../secret.mtl", folder / "in/link.mtl");
-  for (const std::string& name :
-       std::vector<std::string>{"../secret.mtl", "link.mtl", (folder / "secret.mtl").string()}) {
-    const MeshFile file = folder.read("in/a.obj", "mtllib " + name + "\n" + kPoints + "usemtl a\nf 1 2 3\n");
-    CHECK(file.parts.materials.at(0).colour == std::array<double, 4>{1, 1, 1, 1});
-    CHECK(file.report.not_found == std::set<std::string>{name});
-  }
+  std::filesystem::create_directories(folder / "out");
+  folder.put("secret", "a password\n");
+  folder.put("good.mtl", "newmtl a\nKd 0 1 0\nmap_Kd secret\n");
+  const auto read = [&](const std::string& name) {
+    return folder.read("in/a.obj", "mtllib " + name + "\n" + kPoints + "usemtl a\nf 1 2 3\n");
+  };
+  CHECK(read("../secret").report.refused ==
+        std::set<std::string>{"'../secret', which is no library of materials"});
+  const std::string absolute = (folder / "good.mtl").string();
+  CHECK(read(absolute).report.notes() == Names{"refused: '" + absolute + "', an absolute path"});
+  CHECK(read("C:\\good.mtl").report.refused == std::set<std::string>{"'C:\\good.mtl', an absolute path"});
+  CHECK(read("https://a.b/c.mtl").report.notes() == Names{"refused: 'https://a.b/c.mtl', a URL"});
+  std::filesystem::create_directories(folder / "in/sub.mtl");
+  CHECK(read("sub.mtl").report.not_found == std::set<std::string>{"sub.mtl"});
+  folder.put("in/own.mtl", "newmtl a\nmap_Kd ../secret\n");
+  const MeshFile file = read("own.mtl");
+  WriteOptions options;
+  options.copy_materials = true;
+  write_mesh(folder / "out/b.obj", file.mesh, options, {}, file.parts);
+  CHECK(folder.get("out/own.mtl") == "newmtl a\nmap_Kd ../secret\n");
+  CHECK_FALSE(std::filesystem::exists(folder / "out/secret"));
+  CHECK_THAT(write_mesh(folder / "out/b.glb", file.mesh, {}, {}, file.parts).left_out.at(0),
+             Catch::Matchers::Contains("which is neither PNG nor JPEG"));
 }
 
 TEST_CASE("OBJ: several libraries on a line, and one with blanks in its name") {

@@ -112,8 +112,10 @@ struct RichScene {
 /// What each corner of each face has: coordinates as in the file, and of all attributes, by name.
 std::vector<std::string> corner_values(const MeshFile& file) {
   std::vector<std::uint32_t> in_file(file.mesh.points.size());
-  for (std::uint32_t i = 0; i < file.scene->file_points.size(); ++i)
-    in_file[file.vertex_of.empty() ? i : file.vertex_of[i]] = i;
+  for (std::uint32_t i = 0; i < file.scene->file_points.size(); ++i) {
+    const std::uint32_t v = file.vertex_of.empty() ? i : file.vertex_of[i];
+    if (v != MeshFile::left_out) in_file[v] = i;
+  }
   std::vector<std::string> out;
   for (std::size_t face = 0; face < file.mesh.triangles.size(); ++face)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -142,7 +144,7 @@ TEST_CASE("scene: all but the triangles' data comes through, and what nothing na
   const RichScene rich;
   folder.put("a.gltf", gltf_text(rich.built.json));
   const MeshFile file = read_kept_scene(folder, "a.gltf");
-  CHECK(file.report.ignored ==
+  CHECK(file.report.ignored_besides ==
         Names{"tangents, which programs make anew from normals and texture coordinates"});
   REQUIRE(file.scene);
   CHECK(file.mesh.triangles.size() == 3);
@@ -264,8 +266,30 @@ TEST_CASE("glTF: data and images in files beside it") {
   std::filesystem::remove(folder / "skin.png");
   const Encoded missing =
       encode_scene(folder / "b.glb", file, {file.mesh, file.attributes, file.parts.of_face, {}});
-  CHECK(missing.report.left_out ==
-        Names{"image 'skin.png', which is not in the input's folder; it is still named"});
+  CHECK(missing.report.lost_files == Names{"the image 'skin.png' is missing; the result names it as it was"});
+}
+
+TEST_CASE("glTF: an image outside of its folder is refused, and named from where the result is") {
+  const Folder folder;
+  RichScene rich;
+  std::filesystem::create_directories(folder / "in/sub");
+  std::filesystem::create_directories(folder / "out");
+  folder.put("in/a b.png", rich.image);
+  rich.built.json["images"] = {{{"uri", "../a%20b.png"}}, {{"uri", "https://a.b/c.png"}}};
+  folder.put("in/sub/a.gltf", gltf_text(rich.built.json));
+  const MeshFile file = read_kept_scene(folder, "in/sub/a.gltf");
+  CHECK(file.report.refused == std::set<std::string>{"'../a b.png', which leads out of its folder"});
+  for (const std::string name : {"out/b.gltf", "out/b.glb"}) {
+    const Encoded out =
+        encode_scene(folder / name, file, {file.mesh, file.attributes, file.parts.of_face, {}});
+    CHECK(out.report.lost_files ==
+          Names{"the image '../a b.png', which leads out of its folder, is refused; the result names it "
+                "'../in/a b.png'",
+                "the image 'https://a.b/c.png', a URL, is refused; the result names it as it was"});
+    const Json json = name == "out/b.glb" ? json_of(out.bytes) : Json::parse(out.bytes);
+    CHECK(json["images"][0]["uri"] == "../in/a%20b.png");
+    CHECK(json["images"][1]["uri"] == "https://a.b/c.png");
+  }
 }
 
 TEST_CASE("glTF: files outside of its folder are not read") {
@@ -279,15 +303,60 @@ TEST_CASE("glTF: files outside of its folder are not read") {
     json["buffers"][0]["uri"] = uri;
     return folder.error("in/a.gltf", json.dump());
   };
-  CHECK(error("../secret.bin") == "in/a.gltf: its data are outside of its folder, in '../secret.bin'");
-  CHECK(error("%2e%2e/secret.bin") == "in/a.gltf: its data are outside of its folder, in '../secret.bin'");
-  CHECK(error("x/../../secret.bin") ==
-        "in/a.gltf: its data are outside of its folder, in 'x/../../secret.bin'");
-  CHECK(error("link.bin") == "in/a.gltf: its data are outside of its folder, in 'link.bin'");
-  CHECK_THAT(error((folder / "secret.bin").string()), Catch::Matchers::Contains("outside of its folder"));
-  CHECK(error("https://a.b/c.bin") ==
-        "in/a.gltf: its data are at 'https://a.b/c.bin'; only files in its folder are read");
+  const auto refused = [](const std::string& what) {
+    return "in/a.gltf: its data are refused: " + what + "; only files in its folder are read";
+  };
+  CHECK(error("../secret.bin") == refused("'../secret.bin', which leads out of its folder"));
+  CHECK(error("%2e%2e/secret.bin") == refused("'../secret.bin', which leads out of its folder"));
+  CHECK(error("x/../../secret.bin") == refused("'x/../../secret.bin', which leads out of its folder"));
+  CHECK(error("link.bin") == refused("'link.bin', which leads out of its folder"));
+  CHECK_THAT(error((folder / "secret.bin").string()),
+             Catch::Matchers::Contains("refused") && Catch::Matchers::Contains("an absolute path"));
+  CHECK(error("https://a.b/c.bin") == refused("'https://a.b/c.bin', a URL"));
   CHECK(error("none.bin") == "in/a.gltf: its data cannot be read: 'none.bin' is missing or not a file");
+}
+
+TEST_CASE("glTF: what a buffer has that no face of the piece uses is no vertex; the file's numbers stay") {
+  const Folder folder;
+  Json json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}};
+  std::string data;
+  for (const float x : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 5.0F, 5.0F,
+                        5.0F, 0.0F, 0.0F, 2.0F, 1.0F, 0.0F, 2.0F, 0.0F, 1.0F, 2.0F})
+    data.append(reinterpret_cast<const char*>(&x), sizeof(x));
+  data += std::string("\0\1\2\4\5\6", 6);
+  json["buffers"] = {{{"byteLength", data.size()}, {"uri", "a.bin"}}};
+  json["bufferViews"] = {{{"buffer", 0}, {"byteLength", 84}},
+                         {{"buffer", 0}, {"byteOffset", 84}, {"byteLength", 6}}};
+  json["accessors"] = {
+      {{"bufferView", 0}, {"componentType", 5126}, {"count", 7}, {"type", "VEC3"}},
+      {{"bufferView", 1}, {"componentType", 5121}, {"count", 3}, {"type", "SCALAR"}},
+      {{"bufferView", 1}, {"byteOffset", 3}, {"componentType", 5121}, {"count", 3}, {"type", "SCALAR"}}};
+  // Both pieces use the one vertex buffer.
+  json["meshes"] = {{{"primitives",
+                      {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}},
+                       {{"attributes", {{"POSITION", 0}}}, {"indices", 2}}}}}};
+  json["nodes"] = {{{"mesh", 0}}};
+  json["scenes"] = {{{"nodes", {0}}}};
+  folder.put("a.bin", data);
+  folder.put("a.gltf", json.dump());
+  constexpr std::uint32_t out = MeshFile::left_out;
+  const MeshFile flat = read_mesh(folder / "a.gltf");
+  CHECK(flat.mesh.points.size() == 6);
+  CHECK(flat.mesh.triangles == Triangles{{0, 1, 2}, {3, 4, 5}});
+  CHECK(flat.vertex_of ==
+        std::vector<std::uint32_t>{0, 1, 2, out, out, out, out, out, out, out, out, 3, 4, 5});
+  const MeshFile kept = read_kept_scene(folder, "a.gltf");
+  CHECK(kept.mesh.points.size() == 6);
+  const Encoded again =
+      encode_scene(folder / "b.glb", kept, {kept.mesh, kept.attributes, kept.parts.of_face, {}});
+  const Json written = json_of(again.bytes);
+  const auto count = [&](std::size_t piece) {
+    const Json& part = written["meshes"][0]["primitives"][piece];
+    return written["accessors"][part["attributes"]["POSITION"].get<std::size_t>()]["count"].get<int>();
+  };
+  CHECK(count(0) == 3);
+  CHECK(count(1) == 3);
+  CHECK(again.report.doubled_vertices == 0);
 }
 
 TEST_CASE("glTF: a mesh of another format is written as .gltf with its data beside it") {

@@ -74,7 +74,53 @@ TEST_CASE("3MF: items and components are put in their places") {
   CHECK(placed.mesh.points[5] == IndexedMesh::Point(-22, 0, 5));
   CHECK(placed.mesh.triangles[4] == IndexedMesh::Triangle{4, 5, 6});  // mirrored, so turned round
   CHECK(placed.mesh.points[11] == IndexedMesh::Point(0, 0, 1));
-  CHECK(placed.report.ignored == Names{"the unit, 'inch'"});
+  CHECK(placed.report.ignored.empty());
+  CHECK(placed.unit == "inch");
+}
+
+TEST_CASE("3MF: unit, objects and their names are kept, and other formats say that they know no unit") {
+  const Folder folder;
+  std::string named = kTetrahedron;
+  named.replace(named.find("id=\"1\""), 6, "id=\"2\" name=\"A &amp; B\"");
+  const MeshFile file = folder.read(
+      "a.3mf", package(kTetrahedron + named,
+                       "<item objectid=\"2\"/><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/>"
+                       "<item objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 9 0 0\"/>",
+                       "inch"));
+  REQUIRE(file.parts.list.size() == 3);
+  CHECK(file.parts.list[0].object == "A & B");
+  WriteOptions options;
+  options.unit = file.unit;
+  const WriteReport report = write_mesh(folder / "b.3mf", file.mesh, options, {}, file.parts);
+  CHECK(report.notes().empty());
+  CHECK(report.first_vertex.at(8) == 8);
+  const MeshFile back = read_mesh(folder / "b.3mf");
+  CHECK(back.unit == "inch");
+  REQUIRE(back.parts.list.size() == 3);
+  CHECK(back.parts.list[0].object == "A & B");
+  CHECK(back.parts.list[1].object.empty());
+  CHECK(back.parts.list[2].object == "A & B");
+  CHECK(back.parts.of_face == file.parts.of_face);
+  CHECK(back.mesh.points == file.mesh.points);
+  for (const char* other : {"b.obj", "b.stl", "b.ply", "b.glb"})
+    CHECK(write_mesh(folder / other, file.mesh, options, {}, file.parts).left_out ==
+          Names{"the unit, 'inch'"});
+  CHECK_THAT(folder.get("b.obj"), Catch::Matchers::Contains("o A & B\n"));
+
+  const MeshFile odd = folder.read("a.3mf", package(kTetrahedron, "<item objectid=\"1\"/>", "mile"));
+  CHECK(odd.report.ignored == Names{"the unit, 'mile', which 3MF does not know"});
+  CHECK(odd.unit.empty());
+}
+
+TEST_CASE("3MF: parts that share a vertex are one object") {
+  const Folder folder;
+  Parts parts;
+  parts.list = {{Part::none, "a", "", ""}, {Part::none, "b", "", ""}};
+  parts.of_face = {0, 1};
+  write_mesh(folder / "a.3mf", square(), {}, {}, parts);
+  const MeshFile back = read_mesh(folder / "a.3mf");
+  CHECK(back.mesh.points.size() == 4);
+  CHECK(back.parts.list.empty());
 }
 
 TEST_CASE("3MF: objects may stand in another model of the archive, as slicers write them") {
