@@ -177,7 +177,7 @@ class SceneWriter {
       }
       begin += static_cast<std::uint32_t>(vertices.corners.size());
     }
-    report_.doubled_vertices = begin - std::min<std::size_t>(begin, result_.mesh.points.size());
+    report_.doubled_vertices += begin - std::min<std::size_t>(begin, result_->mesh.points.size());
     return first;
   }
 
