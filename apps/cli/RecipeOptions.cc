@@ -112,8 +112,8 @@ CLI::Validator share() {
         if (!CLI::detail::lexical_cast(number, value) || !std::isfinite(value))
           return "must be a part of the faces, as 0.1 or 10%, not '" + text + "'";
         if (!is_percent && value > 1 && value <= 100)
-          return "must be at most 1; " + text + " % of the faces is " + text::shortest(value / 100) + " or " +
-                 text + "%";
+          return "the ratio must be above 0 and at most 1; " + text + " % of the faces is " +
+                 text::shortest(value / 100) + " or " + text + "%";
         if (is_percent) text = text::shortest(value / 100);
         return std::string();
       },
