@@ -118,7 +118,7 @@ std::string contents_text(const Json& contents) {
                       scene["vertices"].get<std::size_t>(), scene["faces"].get<std::size_t>());
   out += names_line("nodes", scene["nodes"]);
   out += names_line("meshes", scene["meshes"],
-              text::format(", shown by %zu nodes", scene["nodes_with_mesh"].get<std::size_t>()));
+                    text::format(", shown by %zu nodes", scene["nodes_with_mesh"].get<std::size_t>()));
   for (const char* key : {"images", "cameras", "animations", "skins", "extensions"})
     out += names_line(key, scene[key]);
   return out;

@@ -25,7 +25,10 @@ void PlyTextures::finish(const std::vector<std::string>& names, const fs::path& 
     const auto place = beside(path, name);
     std::error_code error;
     const bool is_there = place && fs::is_regular_file(*place, error);
-    if (!is_there) file.report.not_found.insert(name);
+    if (is_there)
+      file.files_beside.insert(*place);
+    else
+      file.report.not_found.insert(name);
     file.parts.images.push_back({name, is_there ? *place : fs::path()});
     Material material;
     material.name = fs::path(name).stem().string();
@@ -39,7 +42,7 @@ void PlyTextures::finish(const std::vector<std::string>& names, const fs::path& 
 
 PlyImages ply_images(const Parts& parts, const fs::path& path, bool copies, Encoded& out) {
   PlyImages images;
-  const std::vector<std::string> names = image_names(parts, path, copies, path, out);
+  const std::vector<std::string> names = image_names(parts, path, copies, out);
   std::vector<std::int32_t> of_material;
   bool is_less = false;
   for (const Material& material : parts.materials) {

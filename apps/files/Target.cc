@@ -81,8 +81,7 @@ Target find_target(const fs::path& path) {
   }
   const fs::path folder = folder_of(target.path);
   std::error_code error;
-  if (!fs::exists(folder, error) && !error)
-    throw Fault("its folder does not exist; make it first");
+  if (!fs::exists(folder, error) && !error) throw Fault("its folder does not exist; make it first");
   require_access(folder, W_OK | X_OK);
   if (target.exists) require_replaceable(folder_of(target.path), target.old);
   return target;

@@ -12,9 +12,8 @@ namespace whittle::files {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> image_names(const Parts& parts, const fs::path& path, bool copies,
-                                     const fs::path& owner, Encoded& out) {
-  const bool is_stream = path == "-";
+std::vector<std::string> image_names(const Parts& parts, const fs::path& path, bool copies, Encoded& out) {
+  const bool is_stream = !has_a_folder(path);
   CompanionCopier copier(path, out.companions);
   std::vector<std::string> names;
   for (const Image& image : parts.images) {
@@ -26,11 +25,12 @@ std::vector<std::string> image_names(const Parts& parts, const fs::path& path, b
     } else if (image.bytes.empty()) {
       names.back() = image.name;
     } else if (is_stream) {
-      leave_out(out.report, "image " + in_quotes(image.name) + ", beside standard output");
+      leave_out(out.report,
+                "image " + in_quotes(image.name) + ", beside standard output, a device or a pipe");
     } else {
       names.back() =
-          add_companion(out.companions, path, image_file_name(image, path.stem().string()), image.bytes);
-      out.companions.back().owner = owner;
+          own_name(out.companions, path, image_file_name(image, path.stem().string()), image.bytes);
+      out.companions.push_back({path.parent_path() / names.back(), image.bytes});
     }
   }
   return names;

@@ -12,10 +12,9 @@ namespace whittle::files {
 
 /// For each image its name as a file beside `path` names it: where it is, or where it is copied to; images that were within
 /// the mesh's file get one each. Empty: it cannot be named.
-/// \param path   of the result; "-" is standard output, beside which nothing is written
-/// \param owner  what the new files are called after
+/// \param path  of the result; nothing is written beside standard output, a device or a pipe
 std::vector<std::string> image_names(const Parts& parts, const std::filesystem::path& path, bool copies,
-                                     const std::filesystem::path& owner, Encoded& out);
+                                     Encoded& out);
 
 /// A name for the file of an image that had none: of letters, digits, - and _, with the extension of its kind.
 std::string image_file_name(const Image& image, const std::string& prefix);

@@ -5,6 +5,7 @@
 #include "files/companions.hh"
 #include "files/image_names.hh"
 #include "files/mtl.hh"
+#include "files/own_companions.hh"
 
 namespace whittle::files {
 namespace {
@@ -39,11 +40,11 @@ class LibraryCopier {
 
 /// \return what the new file calls it
 std::string own_library(const Parts& parts, const fs::path& path, bool copies, Encoded& out) {
-  const std::string name = path.stem().string() + ".mtl";
-  const std::vector<std::string> images = image_names(parts, path, copies, path.parent_path() / name, out);
-  const std::string written = add_companion(out.companions, path, name, mtl_text(parts, images));
-  out.companions.back().owner = path;
-  return written;
+  const std::vector<std::string> images = image_names(parts, path, copies, out);
+  std::string text = library_mark(path) + mtl_text(parts, images);
+  std::string name = own_name(out.companions, path, path.stem().string() + ".mtl", text);
+  out.companions.push_back({path.parent_path() / name, std::move(text)});
+  return name;
 }
 
 }  // namespace
@@ -51,18 +52,19 @@ std::string own_library(const Parts& parts, const fs::path& path, bool copies, E
 std::vector<std::string> obj_materials(const Parts& parts, const fs::path& path, bool copies, Encoded& out) {
   if (!parts.has_materials()) return {};
   if (!parts.in_libraries) {
-    if (path != "-") return {own_library(parts, path, copies, out)};
-    leave_out(out.report, "materials, beside standard output");
+    if (has_a_folder(path)) return {own_library(parts, path, copies, out)};
+    leave_out(out.report,
+              path == "-" ? "materials, beside standard output" : "materials, beside a device or pipe");
     return {};
   }
   std::vector<std::string> libraries;
-  const fs::path folder = path == "-" ? fs::path() : path.parent_path();
+  const fs::path folder = has_a_folder(path) ? path.parent_path() : fs::path();
   LibraryCopier copier(path, out.companions);
   for (const Library& library : parts.libraries) {
     const bool is_placed = !library.path.empty() && !fs::path(library.name).is_absolute();
     if (!is_placed)
       libraries.push_back(library.name);
-    else if (copies && path != "-")
+    else if (copies && has_a_folder(path))
       libraries.push_back(copier.copy(library));
     else
       libraries.push_back(relative_name(library.path, folder));
