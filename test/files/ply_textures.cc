@@ -90,7 +90,7 @@ TEST_CASE("PLY: images and numbers there and back") {
   WriteOptions copying;
   copying.copy_materials = true;
   CHECK(write_mesh(folder / "far/c.ply", file.mesh, copying, file.attributes, parts).materials ==
-        "textures a b.png; written beside: a b.png");
+        "textures a b.png");
   CHECK(begins("a b.png"));
   CHECK(folder.get("far/a b.png") == kImage);
 }
@@ -100,9 +100,10 @@ TEST_CASE("PLY: images from OBJ and glTF, and to them") {
   const MeshFile file = two_images(folder);
   // OBJ names both, GLB holds the one that is there.
   CHECK(write_mesh(folder / "b.obj", file.mesh, {}, file.attributes, file.parts).materials ==
-        "materials in b.mtl; written beside: b.mtl");
+        "materials in b.mtl");
   CHECK(folder.get("b.mtl") ==
-        "newmtl a b\nKd 1 1 1\nmap_Kd a b.png\n\nnewmtl c\nKd 1 1 1\nmap_Kd sub/c.png\n");
+        "# whittle: the materials of b.obj\nnewmtl a b\nKd 1 1 1\nmap_Kd a b.png\n\nnewmtl c\nKd 1 1 "
+        "1\nmap_Kd sub/c.png\n");
   CHECK(write_mesh(folder / "b.glb", file.mesh, {}, file.attributes, file.parts).left_out ==
         Names{"image 'sub/c.png'"});
   const MeshFile obj = read_mesh(folder / "b.obj"), glb = read_mesh(folder / "b.glb");
@@ -114,7 +115,7 @@ TEST_CASE("PLY: images from OBJ and glTF, and to them") {
   CHECK(areas == std::vector<std::uint32_t>{0, Part::none, Part::none, Part::none});
 
   const WriteReport report = write_mesh(folder / "d.ply", glb.mesh, {}, glb.attributes, glb.parts);
-  CHECK(report.materials == "textures d-a_b.png; written beside: d-a_b.png");
+  CHECK(report.materials == "textures d-a_b.png");
   CHECK(report.reduced == Names{"of the materials only the images of their colours are written"});
   CHECK(folder.get("d-a_b.png") == kImage);
   CHECK(folder.get("d.ply").find("comment TextureFile d-a_b.png\n") != std::string::npos);
