@@ -49,10 +49,12 @@ void Gunzip::grow() {
 
 void Gunzip::add(std::string_view packed) {
   packed_ += packed.size();
-  while (!packed.empty() && !is_over_) {
+  while (!packed.empty()) {
     if (!is_part_open_) {
-      is_over_ = packed[0] != '\x1f';  // some programs fill the last block with zeros
-      if (is_over_) return;
+      is_over_ = is_over_ || packed[0] == '\0';  // some programs fill the last block with zeros
+      if (is_over_ && packed.find_first_not_of('\0') == std::string_view::npos) return;
+      if (is_over_ || packed[0] != '\x1f')
+        throw Fault("damaged gzip data: what follows a part is no other one");
       inflateReset(&stream_);
       is_part_open_ = true;
     }

@@ -19,7 +19,7 @@ bool is_gzip(std::string_view bytes);
 bool is_gzip_name(const std::filesystem::path& path);
 
 /// Unpacks piece by piece, so that the packed file is never in memory as a whole. Of several parts one behind the other
-/// each is unpacked; what else is behind the last one is passed over.
+/// each is unpacked; behind the last one there may be zeros.
 class Gunzip {
  public:
   Gunzip();
@@ -40,7 +40,7 @@ class Gunzip {
   std::string bytes_;
   std::size_t used_ = 0, packed_ = 0;
   bool is_part_open_ = true;  ///< the end of a part has not come yet
-  bool is_over_ = false;      ///< what comes is no further part
+  bool is_over_ = false;      ///< zeros have come, so no further part may
 };
 
 /// The same bytes give the same file. \throw Fault

@@ -57,6 +57,12 @@ TEST_CASE("gzip: damaged and cut off data is an error of one line") {
   std::string damaged = packed;
   damaged[15] = static_cast<char>(~damaged[15]);
   CHECK(folder.error("a.obj.gz", damaged) == "a.obj.gz: damaged gzip data");
+  // A second part that begins wrongly, and anything else but zeros behind.
+  std::string second = packed;
+  second[0] = 'x';
+  for (const std::string& behind : {second, std::string("garbage"), std::string(9, '\0') + packed})
+    CHECK(folder.error("a.obj.gz", packed + behind) ==
+          "a.obj.gz: damaged gzip data: what follows a part is no other one");
   CHECK(folder.error("a.obj.gz", gzipped("v 0 0\n")) ==
         "a.obj.gz:1: expected a number, found the end of the line");
 }
