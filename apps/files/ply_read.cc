@@ -170,6 +170,8 @@ class BodyReader {
         for (std::uint64_t k = 0; k < length; ++k) indices.push_back(values_.integer(list->type));
       }
       end_line();
+      if (grid_ && kind == Faces::grid && indices.size() > 1)
+        throw Fault("a cell of the range_grid with more than one vertex");
       if (grid_ && kind == Faces::grid)
         grid_->add_cell(indices.empty() ? no_vertex : builder_.index(indices[0], vertices_));
       else

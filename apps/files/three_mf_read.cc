@@ -49,9 +49,14 @@ Transform parse_transform(std::string_view text) {
   std::size_t line = 0;
   TextReader in(text, line, {});
   Transform transform;
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 3; ++row) transform(row, column) = parse_real<double>(in.word_anywhere());
-  return transform;
+  try {
+    for (int column = 0; column < 4; ++column)
+      for (int row = 0; row < 3; ++row) transform(row, column) = parse_real<double>(in.word_anywhere());
+    if (in.word_anywhere().empty()) return transform;
+  } catch (const Fault&) {
+    // As with too many of them.
+  }
+  throw Fault("a transform that is not twelve numbers: " + in_quotes(text));
 }
 
 Transform product(const Transform& outer, const Transform& inner) {
@@ -59,6 +64,28 @@ Transform product(const Transform& outer, const Transform& inner) {
   result.leftCols<3>() = outer.leftCols<3>() * inner.leftCols<3>();
   result.col(3) = outer.leftCols<3>() * inner.col(3) + outer.col(3);
   return result;
+}
+
+/// What is not known of these is said, and changes nothing about the meshes; or it is where objects stand.
+bool is_known_extension(std::string_view name_space) {
+  for (const char* known : {"http://schemas.microsoft.com/3dmanufacturing/production/2015/06",
+                            "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+                            "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02"})
+    if (name_space == known) return true;
+  return false;
+}
+
+/// \throw Fault  the model asks for an extension that is not known
+void check_three_mf_extensions(const XmlReader& model) {
+  std::string_view rest = model.attribute("requiredextensions");
+  constexpr std::string_view blanks = " \t\r\n";
+  while ((rest = rest.substr(std::min(rest.find_first_not_of(blanks), rest.size()))) != "") {
+    const std::string_view prefix = rest.substr(0, rest.find_first_of(blanks));
+    rest.remove_prefix(prefix.size());
+    if (const std::string_view name_space = model.attribute(prefix); !is_known_extension(name_space))
+      throw Fault("it needs the extension " + in_quotes(name_space.empty() ? prefix : name_space) +
+                  ", which is not supported");
+  }
 }
 
 /// In the archive names have no slash in front.
@@ -110,8 +137,8 @@ class Package {
       if (!xml.opens()) continue;
       if (xml.name() == "object" && !xml.closes())
         object = &new_object(model, xml);
-      else if (xml.name() == "model" && is_root)
-        take_unit(xml.attribute("unit"));
+      else if (xml.name() == "model")
+        begin_model(xml, is_root);
       else if (xml.name() == "metadata" && xml.attribute("name") != "Application")
         builder_.ignore_besides("metadata");
       else if (xml.name() == "item" && is_root)
@@ -149,6 +176,11 @@ class Package {
   static Instance instance(const std::string& model, const XmlReader& xml) {
     return {xml.has("path") ? std::string(without_slash(xml.attribute("path"))) : model,
             std::string(xml.attribute("objectid")), parse_transform(xml.attribute("transform"))};
+  }
+
+  void begin_model(const XmlReader& xml, bool is_root) {
+    check_three_mf_extensions(xml);
+    if (is_root) take_unit(xml.attribute("unit"));
   }
 
   void take_unit(std::string_view unit) {

@@ -67,6 +67,10 @@ TEST_CASE("PLY: a range image gives the triangles between neighbours that are th
   CHECK(folder.error("a.ply", head + info + vertices(1) + "element range_grid 5\n" + list +
                                   "0 0 0\n0\n0\n0\n0\n0\n") ==
         "a.ply:13: the range_grid has 5 cells instead of 3 by 2");
+  CHECK(folder
+            .error("a.ply", head + info + vertices(5) + "element range_grid 6\n" + list + points +
+                                "1 0\n2 1 2\n1 2\n1 3\n1 4\n0\n")
+            .find("a cell of the range_grid with more than one vertex") != std::string::npos);
 }
 
 TEST_CASE("PLY: colours of faces go to their corners") {

@@ -192,5 +192,25 @@ TEST_CASE("3MF: archives that are cut off, damaged, or claim too much are refuse
   }
 }
 
+TEST_CASE("3MF: what a model requires must be known, and a transform has twelve numbers") {
+  const Folder folder;
+  const std::string item = "<item objectid=\"1\"/>";
+  const auto error = [&](const std::string& attributes) {
+    return folder.error("a.3mf", package(kTetrahedron, item, "inch\" " + attributes + " x=\""));
+  };
+  CHECK(error("xmlns:zz=\"http://acme/x\" requiredextensions=\"zz\"") ==
+        "a.3mf: it needs the extension 'http://acme/x', which is not supported");
+  CHECK(error("requiredextensions=\" q\"") == "a.3mf: it needs the extension 'q', which is not supported");
+  const std::string production =
+      "inch\" xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" "
+      "requiredextensions=\"p\" x=\"";
+  CHECK(folder.read("a.3mf", package(kTetrahedron, item, production)).mesh.triangles.size() == 4);
+  for (const std::string transform :
+       {"1 0 0 0 1 0 0 0 1 0 0", "1 0 0 0 1 0 0 0 1 0 0 0 0", "1 0 0 0 1 0 0 0 1 a 0 0"})
+    CHECK(folder.error("a.3mf",
+                       package(kTetrahedron, "<item objectid=\"1\" transform=\"" + transform + "\"/>")) ==
+          "a.3mf: a transform that is not twelve numbers: '" + transform + "'");
+}
+
 }  // namespace
 }  // namespace whittle::files
