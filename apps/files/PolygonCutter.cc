@@ -13,8 +13,8 @@ using Point = IndexedMesh::Point;
 /// An area that rounding may have made, of a polygon of a size of 1.
 constexpr double no_area = 1e-12;
 
-/// Pairs of corners that are looked at for one mesh: some seconds. Without a limit, a file of some megabytes that is one
-/// spiral would take days.
+/// How often corners are looked at for one mesh: some seconds. A polygon that crosses itself often may take more without
+/// an end in sight; one that does not stays far below.
 constexpr std::size_t most_looks = std::size_t{1} << 30;
 
 /// The sum of the fan's normals, whichever corner it has; and the largest of them, for a polygon that has as much area
@@ -54,7 +54,7 @@ PolygonCutter::Shape PolygonCutter::cut(const std::vector<Point>& corners) {
     return Shape::convex;
   }
   const bool crosses = !has_area || crosses_itself();
-  clip_ears();
+  clip_ears(crosses);
   return crosses || looks_ > most_looks ? Shape::crossing : Shape::concave;
 }
 
@@ -90,7 +90,7 @@ bool PolygonCutter::project(const std::vector<Point>& corners, bool& has_area) {
 }
 
 double PolygonCutter::area(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  return (at_[b].x - at_[a].x) * (at_[c].y - at_[a].y) - (at_[b].y - at_[a].y) * (at_[c].x - at_[a].x);
+  return doubled_area(at_[a], at_[b], at_[c]);
 }
 
 bool PolygonCutter::same_place(std::uint32_t a, std::uint32_t b) const {
@@ -106,63 +106,68 @@ bool PolygonCutter::is_convex() const {
   return true;
 }
 
-/// Whether two sides have a point in common that is inside of both.
+/// Whether two sides have a point in common that is inside of both. Few sides are compared as they overlap in x, which is
+/// right whatever their rounding; many by a sweep.
 bool PolygonCutter::crosses_itself() {
-  std::vector<std::uint32_t> sides(at_.size());
-  std::iota(sides.begin(), sides.end(), 0U);
+  constexpr std::size_t many = 1000;
+  if (at_.size() > many) return any_sides_cross(at_);
+  some_.resize(at_.size());
+  std::iota(some_.begin(), some_.end(), 0U);
   const auto low = [&](std::uint32_t i) { return std::min(at_[i].x, at_[next_[i]].x); };
   const auto high = [&](std::uint32_t i) { return std::max(at_[i].x, at_[next_[i]].x); };
-  std::sort(sides.begin(), sides.end(),
+  std::sort(some_.begin(), some_.end(),
             [&](std::uint32_t i, std::uint32_t k) { return low(i) != low(k) ? low(i) < low(k) : i < k; });
-  const auto apart = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-    const double left = area(a, b, c), right = area(a, b, d);
-    return !((left > no_area && right < -no_area) || (left < -no_area && right > no_area));
-  };
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const std::uint32_t a = sides[i], b = next_[a];
-    for (std::size_t k = i + 1; k < sides.size() && low(sides[k]) <= high(a); ++k) {
-      if (++looks_ > most_looks) return true;
-      const std::uint32_t c = sides[k], d = next_[c];
-      if (!apart(a, b, c, d) && !apart(c, d, a, b)) return true;
-    }
+  for (std::size_t i = 0; i < some_.size(); ++i) {
+    const std::uint32_t a = some_[i], b = next_[a];
+    for (std::size_t k = i + 1; k < some_.size() && low(some_[k]) <= high(a); ++k)
+      if (sides_cross(at_[a], at_[b], at_[some_[k]], at_[next_[some_[k]]])) return true;
   }
   return false;
 }
 
-/// Round and round the ring, with a step over each second corner, so that not all triangles hang on one. When nothing is
-/// an ear any more, less is asked of one.
-void PolygonCutter::clip_ears() {
+void PolygonCutter::look_at_all() {
+  for (std::uint32_t i = 0; i < at_.size(); ++i)
+    if (!has_gone_[i]) unknown_.insert(i);
+}
+
+/// Round and round the ring, with a step over each second corner, so that not all triangles hang on one. What is no ear
+/// becomes one only when a neighbour goes, where no sides cross. When nothing is an ear any more, less is asked of one.
+void PolygonCutter::clip_ears(bool crosses) {
   const auto n = static_cast<std::uint32_t>(at_.size());
-  is_reflex_.assign(n, 0);
-  reflex_.clear();
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (turn(i) > 0) continue;
-    is_reflex_[i] = 1;
-    reflex_.push_back(i);
-  }
-  std::sort(reflex_.begin(), reflex_.end(), [&](std::uint32_t i, std::uint32_t k) {
-    return at_[i].x != at_[k].x ? at_[i].x < at_[k].x : i < k;
-  });
+  some_.clear();
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (!(turn(i) > 0)) some_.push_back(i);
+  reflex_.build(at_, some_);
+  has_gone_.assign(n, 0);
+  unknown_.clear(n);
+  look_at_all();
 
   Strictness strictness = Strictness::clear;
-  std::uint32_t corner = 0, left = n, misses = 0;
+  std::uint32_t corner = 0, begin = 0, left = n;
+  bool is_all_known = false;  // all that are left have been looked at since the last one went
   while (left > 3) {
-    if (looks_ > most_looks) return fan(corner);
-    if (is_ear(corner, strictness)) {
-      const std::uint32_t next = next_[corner];
-      clip(corner);
-      --left;
-      misses = 0;
-      strictness = Strictness::clear;
-      corner = next_[next];
+    if (++looks_ > most_looks) return fan(corner);
+    const std::uint32_t found = unknown_.next(corner);
+    if (found == NumberRing::none) {
+      if (is_all_known || !crosses) strictness = static_cast<Strictness>(static_cast<int>(strictness) + 1);
+      is_all_known = true;
+      corner = begin;
+      look_at_all();
       continue;
     }
-    corner = next_[corner];
-    if (++misses < left) continue;
-    misses = 0;
-    strictness = static_cast<Strictness>(static_cast<int>(strictness) + 1);
+    corner = found;
+    unknown_.erase(corner);
+    if (!is_ear(corner, strictness)) continue;
+    const std::uint32_t before = prev_[corner], next = next_[corner];
+    clip(corner);
+    --left;
+    is_all_known = false;
+    strictness = Strictness::clear;
+    unknown_.insert(before);
+    unknown_.insert(next);
+    corner = begin = next_[next];
   }
-  fan(corner);
+  fan(begin);
 }
 
 bool PolygonCutter::is_ear(std::uint32_t corner, Strictness strictness) {
@@ -173,15 +178,8 @@ bool PolygonCutter::is_ear(std::uint32_t corner, Strictness strictness) {
 
 /// Of a polygon that does not cross itself, one of the corners within an ear does not turn left.
 bool PolygonCutter::is_blocked(std::uint32_t corner, Strictness strictness) {
-  const double x[] = {at_[prev_[corner]].x, at_[corner].x, at_[next_[corner]].x};
-  const auto [low, high] = std::minmax_element(x, x + 3);
-  auto at = std::lower_bound(reflex_.begin(), reflex_.end(), *low,
-                             [&](std::uint32_t i, double value) { return at_[i].x < value; });
-  for (; at != reflex_.end() && at_[*at].x <= *high; ++at) {
-    ++looks_;
-    if (is_reflex_[*at] && blocks(*at, corner, strictness)) return true;
-  }
-  return false;
+  return reflex_.any({at_[prev_[corner]], at_[corner], at_[next_[corner]]}, looks_,
+                     [&](std::uint32_t other) { return blocks(other, corner, strictness); });
 }
 
 bool PolygonCutter::blocks(std::uint32_t other, std::uint32_t corner, Strictness strictness) const {
@@ -207,10 +205,11 @@ void PolygonCutter::clip(std::uint32_t corner) {
   triangles_.push_back({before, corner, after});
   next_[before] = after;
   prev_[after] = before;
-  is_reflex_[corner] = 0;
+  has_gone_[corner] = 1;
+  reflex_.remove(corner);
   // What turned left still does, but for rounding; what did not may by now.
   for (const std::uint32_t i : {before, after})
-    if (is_reflex_[i] && turn(i) > 0) is_reflex_[i] = 0;
+    if (reflex_.has(i) && turn(i) > 0) reflex_.remove(i);
 }
 
 }  // namespace whittle::files

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "files/PlanePoints.hh"
 #include "whittle/surface/IndexedMesh.hh"
 
 namespace whittle::files {
@@ -19,7 +20,7 @@ class PolygonCutter {
   enum class Shape {
     convex,    ///< every corner turns left: a fan
     concave,   ///< cut by ear clipping; a corner on a straight line counts too
-    crossing,  ///< two sides cross, or the corners are too many to be looked at; cut as far as it can be
+    crossing,  ///< two sides cross; cut as far as it can be
     flat       ///< no area: a fan
   };
 
@@ -31,16 +32,14 @@ class PolygonCutter {
   const std::vector<IndexedMesh::Triangle>& triangles() const { return triangles_; }
 
  private:
-  struct Place {
-    double x, y;
-  };
   enum class Strictness { clear, touching, convex, any };
 
   void fan(std::uint32_t first);
   bool project(const std::vector<IndexedMesh::Point>& corners, bool& has_area);
   bool is_convex() const;
   bool crosses_itself();
-  void clip_ears();
+  void clip_ears(bool crosses);
+  void look_at_all();
   bool is_ear(std::uint32_t corner, Strictness strictness);
   bool is_blocked(std::uint32_t corner, Strictness strictness);
   bool blocks(std::uint32_t other, std::uint32_t corner, Strictness strictness) const;
@@ -50,13 +49,14 @@ class PolygonCutter {
   bool same_place(std::uint32_t a, std::uint32_t b) const;
   bool is_between(std::uint32_t other, std::uint32_t tip, std::uint32_t from, std::uint32_t to) const;
 
-  std::vector<Place> at_;  ///< in the plane, of a size of 1
+  std::vector<PlanePoint> at_;  ///< in the plane, of a size of 1
   std::vector<std::uint32_t> prev_, next_;
-  std::vector<std::uint32_t>
-      reflex_;  ///< corners that do not turn left, by their x; some have gone or turn by now
-  std::vector<std::uint8_t> is_reflex_;
+  std::vector<std::uint8_t> has_gone_;
+  std::vector<std::uint32_t> some_;
+  PointTree reflex_;    ///< corners that do not turn left
+  NumberRing unknown_;  ///< corners that may be ears
   std::vector<IndexedMesh::Triangle> triangles_;
-  std::size_t looks_ = 0;  ///< at pairs, in all polygons so far
+  std::size_t looks_ = 0;  ///< in all polygons so far
 };
 
 }  // namespace whittle::files

@@ -148,6 +148,33 @@ TEST_CASE("polygons: stars, combs and spirals of any size are covered once") {
   check_covered(spiral, cutter);
 }
 
+TEST_CASE("polygons: one of many corners is covered once, or told to cross itself") {
+  constexpr int turns = 20000;
+  Polygon spiral;
+  for (int i = 0; i < turns; ++i) spiral.emplace_back(i * std::cos(0.01 * i), i * std::sin(0.01 * i), 0);
+  for (int i = turns - 1; i >= 0; --i)
+    spiral.emplace_back((i + 200) * std::cos(0.01 * i), (i + 200) * std::sin(0.01 * i), 0);
+  std::reverse(spiral.begin(), spiral.end());
+  Polygon star;
+  for (int i = 0; i < 5 * turns; ++i) {
+    const double radius = i % 2 == 0 ? 1 : 0.3, angle = kTau * i / (5 * turns);
+    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  for (const Polygon& polygon : {spiral, star}) {
+    PolygonCutter cutter;
+    CHECK(cutter.cut(polygon) == Shape::concave);
+    check_covered(polygon, cutter);
+  }
+  // Two sides of the spiral's outermost turn changed places, and two tips of the star.
+  std::swap(spiral[100], spiral[101]);
+  std::swap(star[6], star[8]);
+  for (const Polygon& polygon : {spiral, star}) {
+    PolygonCutter cutter;
+    CHECK(cutter.cut(polygon) == Shape::crossing);
+    CHECK(cutter.triangles().size() == polygon.size() - 2);
+  }
+}
+
 TEST_CASE("polygons: all formats cut a concave face, with the values at its corners") {
   const Folder folder;
   const std::string places = "2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 0\n";
