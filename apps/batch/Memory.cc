@@ -8,6 +8,7 @@
 
 #include "batch/Claim.hh"
 #include "files/MeshFile.hh"
+#include "files/own_companions.hh"
 #include "text/hash.hh"
 #include "text/utc.hh"
 #include "version/Version.hh"
@@ -78,6 +79,26 @@ std::string place_of(const Item& item, const Order& order) {
   return fs::proximate(item.in, order.out, error).string();
 }
 
+/// The stamps of the files that an input names, by their paths from its folder.
+Json stamps_of(const Json& names, const fs::path& input) {
+  Json stamps = Json::object();
+  std::error_code error;
+  for (const Json& name : names)
+    if (name.is_string())
+      stamps[fs::proximate(name.get<std::string>(), input.parent_path(), error).string()] =
+          stamp(name.get<std::string>());
+  return stamps;
+}
+
+/// Whether the files that an input names are those of a record.
+bool are_unchanged(const Json& record, const fs::path& input) {
+  const Json::json_pointer place("/input/files_beside");
+  if (!record.contains(place) || !record[place].is_object()) return false;
+  for (const auto& [name, known] : record[place].items())
+    if (known != stamp(input.parent_path() / name)) return false;
+  return true;
+}
+
 }  // namespace
 
 Memory::Memory(const Order& order) : order_(order), folder_(order.out / ".whittle") {
@@ -117,7 +138,7 @@ bool Memory::knows(const Item& item, Outcome& outcome) const {
   if (text_at(record, "/arguments") != arguments_ || !is_result(record, item.out)) return false;
   const bool in_place = fs::equivalent(item.in, item.out, error);
   if (!in_place && (text_at(record, "/input/place") != text::hash(place_of(item, order_)) ||
-                    text_at(record, "/input/stamp") != input_stamp(item)))
+                    text_at(record, "/input/stamp") != input_stamp(item) || !are_unchanged(record, item.in)))
     return false;
   fill_counts(record, outcome);
   const bool missed = record.value("missed", false);
@@ -128,15 +149,24 @@ bool Memory::knows(const Item& item, Outcome& outcome) const {
 
 void Memory::keep(const Item& item, const std::string& input_stamp, Outcome& outcome) const {
   const std::string bytes = files::read_file(result(item));
+  const Json done_report = read(report(item));
+  const Json::json_pointer beside("/input/files_beside");
   const Json record = {
       {"arguments", arguments_},
-      {"input", {{"place", text::hash(place_of(item, order_))}, {"stamp", input_stamp}}},
+      {"input",
+       {{"place", text::hash(place_of(item, order_))},
+        {"stamp", input_stamp},
+        {"files_beside",
+         stamps_of(done_report.contains(beside) ? done_report[beside] : Json::array(), item.in)}}},
       {"result", {{"stamp", stamp(result(item))}, {"bytes", bytes.size()}, {"hash", text::hash(bytes)}}},
       {"missed", outcome.status == Outcome::Status::missed},
       {"message", outcome.message},
-      {"report", read(report(item))}};
+      {"report", done_report}};
   files::write_file(done(item), line(record));
+  files::OldCompanions old;
+  old.look_at(item.out);
   files::move_file(result(item), item.out);
+  old.remove_unnamed();
   fill_counts(record, outcome);
 }
 

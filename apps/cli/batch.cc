@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -156,18 +158,31 @@ Json describe(const Options& options, const std::vector<batch::Item>& items,
           {"meshes", meshes}};
 }
 
+/// Reports of other runs are replaced. Anything else may be what one of many meshes names, an image or a library, and
+/// looking for it would take as long as reading all.
+void check_is_report(const std::string& path) {
+  std::error_code error;
+  if (path.empty() || !std::filesystem::is_regular_file(path, error)) return;
+  std::ifstream file(path);
+  char first = '{';
+  file >> first;
+  if (first != '{') throw batch::BatchError("--json would overwrite " + path + ", which is no report");
+}
+
 int run_batch(const Options& options) {
   make_recipe(options);  // what is wrong with it is wrong before anything is begun
   files::WriteOptions format;
   format.format = options.format;
   if (!options.format.empty()) set_packing(options, {"--format " + options.format}, format);
   batch::Order order;
-  files::Outputs outputs;
-  outputs.add("--json", options.json);
   if (options.out == "-")
     throw batch::BatchError("--out: results cannot go to standard output; ./- is a folder of that name");
   batch::Listing listing = batch::list_items(options.source, options.out, options.format);
   order.items = std::move(listing.items);
+  files::Outputs outputs;
+  for (const batch::Item& item : order.items) outputs.reads(item.in.string(), item.in);
+  outputs.add("--json", options.json);
+  check_is_report(options.json);
   order.out = options.out;
   order.program = own_path();
   order.arguments = simplify_arguments(options);

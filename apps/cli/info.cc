@@ -94,6 +94,7 @@ Command add_info(CLI::App& app) {
     outputs.reads("MESH", options->mesh);
     outputs.add("--json", options->json);
     const files::MeshFile in = files::read_mesh(options->mesh);
+    outputs.reads_beside("MESH", in.files_beside);
     const Json contents = contents_json(options->mesh, in);
     if (!options->quiet) {
       print_notes_on_shape(options->mesh, in.report);

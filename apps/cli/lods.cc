@@ -243,6 +243,7 @@ int lods(Options options) {
   files::Outputs outputs;
   add_files(options, outputs);
   files::MeshFile in = files::read_mesh(options.in, read_options(options));
+  outputs.reads_beside("MODEL", in.files_beside);
   print_notes(options.in, in.report, options.quiet);
   require_faces(options.in, in);
   recipe::Givens givens = make_givens(options, in);

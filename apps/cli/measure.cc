@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -84,13 +85,24 @@ std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, cons
   return out;
 }
 
+/// \throw FileError  there is no surface to measure from
+void require_area(const std::string& path, const measure::MeshFacts& facts) {
+  if (facts.faces > 0 && facts.area > 0 && std::isfinite(facts.area)) return;
+  constexpr double largest = 1e150, least = 1e-150;  // whose squares are numbers
+  std::string why = ": no face has an area";
+  if (facts.faces == 0) why = ": there are no faces";
+  if (facts.diagonal > largest) why = ": too large; the areas of its faces are beyond what a number can be";
+  if (facts.diagonal > 0 && facts.diagonal < least) why = ": too small; the areas of its faces round to 0";
+  throw files::FileError((path == "-" ? "standard input" : path) + why);
+}
+
 }  // namespace
 
 Command add_measure(CLI::App& app) {
   struct Options {
     std::string original, simplified, json;
     std::size_t samples = measure::DistanceOptions().samples;
-    std::string certify;
+    std::optional<std::string> certify;
     std::optional<double> texels;
     bool list = false, quiet = false;
   };
@@ -131,13 +143,18 @@ Command add_measure(CLI::App& app) {
     outputs.reads("SIMPLIFIED", options->simplified);
     outputs.add("--json", options->json);
     std::optional<recipe::Length> within;
-    if (!options->certify.empty()) within = recipe::parse_length(options->certify);
+    if (options->certify) within = recipe::parse_length(*options->certify);
     const files::MeshFile original = files::read_mesh(options->original);
     const files::MeshFile simplified = files::read_mesh(options->simplified);
+    outputs.reads_beside("ORIGINAL", original.files_beside);
+    outputs.reads_beside("SIMPLIFIED", simplified.files_beside);
     if (!options->quiet) {
       print_notes_on_shape(options->original, original.report);
       print_notes_on_shape(options->simplified, simplified.report);
     }
+    const measure::MeshFacts before = measure::facts(original.mesh), after = measure::facts(simplified.mesh);
+    require_area(options->original, before);
+    require_area(options->simplified, after);
     measure::DistanceOptions sampling;
     sampling.samples = options->samples;
     const measure::Distance distance = measure::distance(original.mesh, simplified.mesh, sampling);
@@ -145,7 +162,6 @@ Command add_measure(CLI::App& app) {
     if (within)
       certified =
           measure::certify(original.mesh, simplified.mesh, within->in(recipe::measure_scale(original.mesh)));
-    const measure::MeshFacts before = measure::facts(original.mesh), after = measure::facts(simplified.mesh);
     attributes::TextureErrorOptions on_texture;
     on_texture.samples = options->samples;
     const Intersections of_before = intersections(original.mesh), of_after = intersections(simplified.mesh);

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "cli/RecipeOptions.hh"
@@ -110,6 +112,12 @@ Json names(const attributes::Attributes& attributes) {
   return out;
 }
 
+Json names_of(const std::set<std::filesystem::path>& files) {
+  Json out = Json::array();
+  for (const std::filesystem::path& file : files) out.push_back(file.string());
+  return out;
+}
+
 /// By name, with how many faces each has.
 Json materials_json(const files::Parts& parts) {
   std::vector<std::size_t> faces(parts.materials.size(), 0);
@@ -154,6 +162,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
             {"vertices", in.mesh.points.size()},
             {"faces", in.mesh.triangles.size()},
             {"attributes", attributes_read},
+            {"files_beside", names_of(in.files_beside)},
             {"read", to_json(in.report)}}},
           {"output",
            {{"file", options.out},
@@ -284,6 +293,7 @@ int simplify(const Options& options) {
   files::ReadOptions reading = read_options(options);
   reading.keep_scene = !options.flatten && files::holds_scenes(options.out, format);
   files::MeshFile in = files::read_mesh(options.in, reading);
+  outputs.reads_beside("IN", in.files_beside);
   times.reading = watch.lap();
   print_notes(options.in, in.report, options.quiet);
   if (recipe.target.any()) require_faces(options.in, in);
@@ -359,6 +369,8 @@ Command add_simplify(CLI::App& app) {
           "--final-out", options->final_out,
           "Where OUT is moved to afterwards: what is written beside it goes there, and what it refers to is "
           "named from there")
+      ->check(CLI::Validator(
+          [](const std::string& path) { return path.empty() ? std::string("an empty path") : ""; }, ""))
       ->type_name("PATH");
   command->add_flag("--ascii", options->ascii, "Write PLY and STL as text");
   auto* quiet = command->add_flag("--quiet", options->quiet, "Print nothing but errors");

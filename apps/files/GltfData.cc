@@ -119,8 +119,8 @@ void GltfData::charge_values(const tinygltf::Accessor& accessor, std::size_t byt
   charge(accessor.count, bytes_each);
 }
 
-std::string GltfData::view_bytes(std::size_t view) const {
-  return std::string(view_data(static_cast<long long>(std::min(view, model_.bufferViews.size()))));
+std::string_view GltfData::view_bytes(std::size_t view) const {
+  return view_data(static_cast<long long>(std::min(view, model_.bufferViews.size())));
 }
 
 std::string_view GltfData::view_data(long long view) const {

@@ -49,7 +49,7 @@ class GltfData {
   bool are_whole(int accessor) const;
 
   /// The bytes of a view, as they are. \throw Fault  it is not there
-  std::string view_bytes(std::size_t view) const;
+  std::string_view view_bytes(std::size_t view) const;
 
   /// All components one after the other; normalized integers are 0..1 or -1..1.
   std::vector<float> floats(int accessor);

@@ -105,6 +105,8 @@ struct MeshFile {
   attributes::Attributes attributes;   ///< at corners only where the corners of a vertex differ
   Parts parts;                         ///< which faces belong together, and their materials
   std::shared_ptr<const Scene> scene;  ///< glTF: where the mesh comes from, if that is asked for
+  /// Files that it names and that are there: libraries, images, data; nothing may be written over them
+  std::set<std::filesystem::path> files_beside = {};
   double diagonal = 0;    ///< of all that the scene shows, model units; 0: the mesh is all that there is
   std::string unit = {};  ///< 3MF: in which its numbers count, "inch"; empty: not said
   bool single_precision = false;     ///< the file holds 32-bit floats, so writing more digits adds nothing
@@ -191,9 +193,6 @@ struct WriteReport {
 struct Companion {
   std::filesystem::path path;
   std::string bytes;
-  /// The file that it is called after, if it is: where an old one of that is there and names an old companion, the new one
-  /// takes its place
-  std::filesystem::path owner = {};
 };
 
 /// A mesh as the bytes of a file, what that file could not take, and what belongs beside it.

@@ -8,28 +8,24 @@
 
 #include "files/Fault.hh"
 #include "files/beside.hh"
-#include "files/gltf_uri.hh"
+#include "files/own_companions.hh"
 
 namespace whittle::files {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// Whether the old file that this one is called after names the old companion.
-bool belongs(const Companion& companion) {
-  constexpr std::size_t most = std::size_t{1} << 28;  // bytes
-  if (companion.owner.empty()) return false;
-  const auto owner = bytes_of(companion.owner, most);
-  const std::string name = companion.path.filename().string();
-  return owner &&
-         (owner->find(name) != std::string::npos || owner->find(encode_percents(name)) != std::string::npos);
-}
-
-}  // namespace
-
 void Outputs::reads(const std::string& role, const fs::path& path) {
   inputs_.push_back({role, path, identity_of(path, STDIN_FILENO)});
+}
+
+void Outputs::reads_beside(const std::string& role, const std::set<fs::path>& files) {
+  for (const fs::path& file : files) {
+    const Identity identity = identity_of(file, STDIN_FILENO);
+    for (const Path& output : outputs_)
+      if (identity.regular && identity.same(output.identity))
+        throw FileError(output.role + " would overwrite " + file.string() + ", which " + role + " names");
+    inputs_.push_back({role, file, identity});
+  }
 }
 
 void Outputs::add(const std::string& role, const fs::path& path, const std::string& in_place_of) {
@@ -74,14 +70,22 @@ void Outputs::write_beside(std::vector<Companion> companions) {
     if (has(companion.path.string())) continue;  // of another output: the same one
     const bool is_there = fs::exists(fs::symlink_status(companion.path, error));
     if (is_there && bytes_of(companion.path, companion.bytes.size()) == companion.bytes) continue;
-    if (is_there && !belongs(companion))
+    if (is_there)
       throw FileError(companion.path.string() +
                       ": would be written beside the result, but another file of this name is there; "
                       "move it away, or write to another folder");
     const std::string role = companion.path.string();
     add(role, companion.path);
-    write(role, std::move(companion.bytes));
+    naming(companion.path,
+           [&] { files_.emplace_front(companion.path, find_target(companion.path), companion.bytes); });
   }
+}
+
+bool Outputs::replaces_input() const {
+  for (const Path& input : inputs_)
+    for (const Path& output : outputs_)
+      if (input.identity.same(output.identity)) return true;
+  return false;
 }
 
 void Outputs::put_files() {
@@ -97,6 +101,14 @@ void Outputs::commit() {
     naming(stream.path, [&] { write_stream(stream.target, stream.bytes); });
   streams_.clear();
   if (files_.empty()) return;
+  OldCompanions old;
+  std::vector<fs::path> kept;
+  for (const File& file : files_) {
+    old.look_at(file.path);
+    kept.push_back(file.path);
+  }
+  if (!replaces_input())
+    for (const Path& input : inputs_) kept.push_back(input.path);
   try {
     put_files();
   } catch (...) {
@@ -105,6 +117,7 @@ void Outputs::commit() {
     throw;
   }
   for (const File& file : files_) naming(file.path, [&] { flush_folder(file.folder); });
+  old.remove_unnamed(kept);
   files_.clear();
 }
 

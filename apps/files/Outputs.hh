@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <list>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ class Outputs {
   /// An input, by the name that messages give it: "IN".
   void reads(const std::string& role, const std::filesystem::path& path);
 
+  /// Files that an input names, known once it is read: its libraries, images and data.
+  /// \throw FileError  an output leads to one of them
+  void reads_beside(const std::string& role, const std::set<std::filesystem::path>& files);
+
   /// An output, "--json"; an empty path is none.
   /// \param in_place_of  the input that this output may replace
   /// \throw FileError  it cannot be written, or leads to the same file as another output or an input
@@ -34,12 +39,13 @@ class Outputs {
   /// \throw FileError  disk full, …: nothing will appear
   void write(const std::string& role, std::string bytes);
 
-  /// Files that belong beside an output, which the caller has not named: one that is there already must be the same, or
-  /// belong to the old file that the output replaces.
+  /// Files that belong beside an output, which the caller has not named. They replace nothing: one that is there already
+  /// must be the same. They take their places before the outputs that name them.
   /// \throw FileError  another file of its name is there
   void write_beside(std::vector<Companion> companions);
 
-  /// Makes all appear that has been written.
+  /// Makes all appear that has been written. Then what an old result had beside it for itself alone goes, where the new
+  /// one does not name it (own_companions).
   /// \throw FileError  nothing has appeared, except on streams, and where the file system cannot exchange files
   ///                   what took its place before the failure
   void commit();
@@ -62,6 +68,7 @@ class Outputs {
     TemporaryFile file;
   };
   const Path* find(const std::string& role) const;
+  bool replaces_input() const;
   void put_files();
 
   std::vector<Path> inputs_, outputs_;

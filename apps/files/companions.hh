@@ -16,6 +16,12 @@ namespace whittle::files {
 std::string add_companion(std::vector<Companion>& companions, const std::filesystem::path& file,
                           const std::string& name, std::string bytes);
 
+/// A name for a companion that is made for a file and called after it: "name", or "name-1a2b3c4d", with a hash of its
+/// bytes, where another file of that name is there or is to be written. So it replaces none, and an old result stays whole
+/// until the new one has taken its place.
+std::string own_name(const std::vector<Companion>& companions, const std::filesystem::path& file,
+                     const std::string& name, const std::string& bytes);
+
 /// Copies files beside a result, each once.
 class CompanionCopier {
  public:
@@ -35,6 +41,9 @@ class CompanionCopier {
   std::vector<Companion>& companions_;
   std::map<std::filesystem::path, std::string> known_;
 };
+
+/// Whether files can be written beside one: neither standard output nor a device or pipe.
+bool has_a_folder(const std::filesystem::path& file);
 
 /// Whether both are there and one file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);

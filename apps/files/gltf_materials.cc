@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "files/Fault.hh"
 #include "files/beside.hh"
@@ -61,7 +62,7 @@ TextureUse use_of(const Json& texture) {
 
 class Reader {
  public:
-  Reader(const Json& looks, const GltfData& data, const std::filesystem::path& path, MeshFile& file)
+  Reader(const Json& looks, GltfData& data, const std::filesystem::path& path, MeshFile& file)
       : looks_(looks), data_(data), path_(path), file_(file) {}
 
   Material material(const Json& json) {
@@ -90,7 +91,12 @@ class Reader {
     const Json& view = member(json, "bufferView");
     const std::string uri = text(member(json, "uri"));
     if (view.is_number_unsigned()) {
-      image.bytes = data_.view_bytes(view.get<std::size_t>());
+      const std::string_view bytes = data_.view_bytes(view.get<std::size_t>());
+      const auto [same, is_first] =
+          by_bytes_.emplace(std::make_pair(bytes.data(), bytes.size()), file_.parts.images.size());
+      if (!is_first) return place->second = same->second;
+      data_.charge(bytes.size(), 1);  // views may overlap
+      image.bytes = bytes;
     } else if (is_data_uri(uri)) {
       image.bytes = decode_data_uri(uri);
     } else {
@@ -111,10 +117,11 @@ class Reader {
   }
 
   const Json& looks_;
-  const GltfData& data_;
+  GltfData& data_;
   const std::filesystem::path& path_;
   MeshFile& file_;
   std::map<std::size_t, std::optional<std::size_t>> known_;
+  std::map<std::pair<const char*, std::size_t>, std::size_t> by_bytes_;  ///< numbers of images
 };
 
 }  // namespace
@@ -125,8 +132,8 @@ std::vector<TextureUse> texture_uses(const Json& looks) {
   return uses;
 }
 
-void read_gltf_materials(const Json& looks, const GltfData& data, const std::filesystem::path& path,
-                         MeshFile& file, const std::vector<TextureUse>& uses) {
+void read_gltf_materials(const Json& looks, GltfData& data, const std::filesystem::path& path, MeshFile& file,
+                         const std::vector<TextureUse>& uses) {
   Reader reader(looks, data, path, file);
   for (const Json& material : looks["materials"]) file.parts.materials.push_back(reader.material(material));
   for (std::size_t i = 0; i < uses.size(); ++i)

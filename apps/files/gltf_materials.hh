@@ -28,7 +28,7 @@ std::vector<TextureUse> texture_uses(const nlohmann::json& looks);
 /// \param looks  its materials, textures and images
 /// \param path   of the file, beside which images may be
 /// \param uses   how they use texture coordinates, where those are the file's own
-void read_gltf_materials(const nlohmann::json& looks, const GltfData& data, const std::filesystem::path& path,
+void read_gltf_materials(const nlohmann::json& looks, GltfData& data, const std::filesystem::path& path,
                          MeshFile& file, const std::vector<TextureUse>& uses = {});
 
 }  // namespace whittle::files

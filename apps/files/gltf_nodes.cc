@@ -1,6 +1,7 @@
 #include "files/gltf_nodes.hh"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "files/Fault.hh"
 
@@ -74,6 +75,12 @@ class Walk {
       visit(next);
     }
     return std::move(instances_);
+  }
+
+  /// \pre all roots were walked from \throw Fault  a node is below itself, and so below no root
+  void check_all_seen() const {
+    if (std::find(seen_.begin(), seen_.end(), false) != seen_.end())
+      throw Fault("its JSON is damaged: a node is below itself");
   }
 
  private:
@@ -165,7 +172,11 @@ std::vector<GltfInstance> read_gltf_nodes(Json& document, bool keeps_scene, Mesh
   const Json& scenes = gltf_objects(document, "scenes");
   const std::size_t meshes = gltf_objects(document, "meshes").size();
   Walk walk(nodes, meshes, keeps_scene ? nullptr : &builder);
-  if (keeps_scene) return walk.from(all_roots(nodes));
+  if (keeps_scene) {
+    std::vector<GltfInstance> instances = walk.from(all_roots(nodes));
+    walk.check_all_seen();
+    return instances;
+  }
   if (scenes.empty()) return nodes.empty() ? every_mesh(meshes) : walk.from(all_roots(nodes));
   const auto scene = document.find("scene");
   const std::size_t shown = scene == document.end() ? 0 : checked_index(*scene, scenes.size(), "scene");

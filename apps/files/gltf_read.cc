@@ -7,6 +7,7 @@
 
 #include "files/Fault.hh"
 #include "files/GltfScene.hh"
+#include "files/beside.hh"
 #include "files/bytes.hh"
 #include "files/formats.hh"
 #include "files/gltf_document.hh"
@@ -124,6 +125,37 @@ void read_flat(const GltfDocument& document, const tinygltf::Model& model, GltfD
   read_gltf_materials(document.looks, data, path, file);
 }
 
+std::size_t joints_of(const nlohmann::json& document, const nlohmann::json& node) {
+  const nlohmann::json::json_pointer list("/joints");
+  const nlohmann::json& skins = document["skins"];
+  const nlohmann::json& skin = node["skin"];
+  if (!skin.is_number_unsigned() || !skins.is_array() || skin.get<std::size_t>() >= skins.size()) return 0;
+  const nlohmann::json& joints = skins[skin.get<std::size_t>()];
+  return joints.contains(list) && joints[list].is_array() ? joints[list].size() : 0;
+}
+
+/// \throw Fault  a vertex follows a joint that the skin of its mesh does not have
+void check_joints(const Scene& kept, std::size_t meshes, const MeshFile& file) {
+  constexpr auto any = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> joints(meshes, any);
+  if (!kept.document.contains("nodes") || !kept.document.contains("skins")) return;
+  for (const nlohmann::json& node : kept.document["nodes"])
+    if (node.contains("mesh") && node.contains("skin"))
+      joints[node["mesh"].get<std::size_t>()] =
+          std::min(joints[node["mesh"].get<std::size_t>()], joints_of(kept.document, node));
+  for (const attributes::Attribute& skin : file.attributes) {
+    if (skin.kind != attributes::Kind::skin) continue;
+    for (std::size_t v = 0; v < kept.mesh_of.size() && v < skin.n_values(); ++v)
+      for (std::size_t k = 0; k + 1 < skin.components; k += 2) {
+        const float* value = skin.value(v) + k;
+        const std::size_t count = joints[kept.mesh_of[v]];
+        if (value[1] > 0 && count != any && value[0] >= static_cast<float>(count))
+          throw Fault("a vertex follows joint " + std::to_string(static_cast<std::size_t>(value[0])) +
+                      " of a skin that has " + std::to_string(count) + "; --flatten leaves skins out");
+      }
+  }
+}
+
 /// Each mesh of the document once.
 void read_kept(const GltfDocument& document, const tinygltf::Model& model, GltfData& data,
                std::shared_ptr<Scene> kept, MeshFile& file, MeshBuilder& builder) {
@@ -136,6 +168,7 @@ void read_kept(const GltfDocument& document, const tinygltf::Model& model, GltfD
     }
   }
   scene.finish();
+  check_joints(*kept, model.meshes.size(), file);
   read_gltf_materials(document.looks, data, kept->path, file, texture_uses(document.looks));
   tell_looks_apart(*kept, file.parts);
   arrange(*kept, document.instances, model.meshes.size(), file);
@@ -144,10 +177,25 @@ void read_kept(const GltfDocument& document, const tinygltf::Model& model, GltfD
   file.scene = std::move(kept);
 }
 
+/// The files that a document names.
+void note_files(const GltfDocument& document, const std::filesystem::path& path, MeshFile& file) {
+  std::error_code error;
+  const auto note = [&](const std::string& uri) {
+    const auto beside_it = is_data_uri(uri) ? std::nullopt : beside(path, decode_percents(uri));
+    if (beside_it && std::filesystem::is_regular_file(*beside_it, error))
+      file.files_beside.insert(*beside_it);
+  };
+  for (const GltfBuffer& buffer : document.buffers)
+    if (buffer.has_uri) note(buffer.uri);
+  for (const auto& image : document.looks["images"])
+    if (image.is_object() && image.contains("uri") && image["uri"].is_string()) note(image["uri"]);
+}
+
 void read_document(std::string_view json, std::string_view binary, const ReadOptions& options,
                    const std::filesystem::path& path, MeshFile& file, MeshBuilder& builder) {
   const GltfDocument document = parse_gltf(json, options.keep_scene, builder);
   tinygltf::Model model = parse_model(document.json);
+  note_files(document, path, file);
   Buffers buffers(document.buffers, binary, path);
   std::size_t file_bytes = json.size() + buffers.size();
   if (!document.packed.empty())

@@ -5,6 +5,7 @@
 
 #include "files/Fault.hh"
 #include "files/GltfWriter.hh"
+#include "files/companions.hh"
 #include "files/formats.hh"
 #include "files/gltf_pack.hh"
 
@@ -70,10 +71,10 @@ void encode_gltf(GltfOutput& document, const std::filesystem::path& path, Format
     out.bytes = document.glb();
     return;
   }
-  const std::string name = path.stem().string() + ".bin";
+  const std::string name = own_name(out.companions, path, path.stem().string() + ".bin", document.finish());
   std::string data;
   out.bytes = document.gltf(name, data);
-  if (!data.empty()) out.companions.push_back({path.parent_path() / name, std::move(data), path});
+  if (!data.empty()) out.companions.push_back({path.parent_path() / name, std::move(data)});
 }
 
 }  // namespace whittle::files

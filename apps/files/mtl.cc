@@ -83,10 +83,14 @@ std::string_view image_name(std::string_view text) {
   return text;
 }
 
+using ImageNumbers = std::map<std::filesystem::path, std::size_t>;
+
 /// Reads what there is of the materials that are asked for.
 class LibraryReader {
  public:
-  LibraryReader(MeshFile& file, const std::filesystem::path& path) : file_(file), path_(path) {
+  /// \param images  those of all libraries, by their files
+  LibraryReader(MeshFile& file, const std::filesystem::path& path, ImageNumbers& images)
+      : file_(file), path_(path), images_(images) {
     for (Material& material : file.parts.materials) by_name_.emplace(material.name, &material);
   }
 
@@ -132,23 +136,40 @@ class LibraryReader {
     const Link link = follow(path_, name);
     if (!link.refusal.empty()) file_.report.refused.insert(link.refusal);
     if (!link.path.empty() && !link.is_there) file_.report.not_found.insert(name);
-    if (!link.is_there || keyword != "map_Kd" || !current_) return;
-    current_->image = file_.parts.images.size();
-    file_.parts.images.push_back({name, link.path});
+    if (!link.is_there) return;
+    file_.files_beside.insert(link.path);
+    if (keyword != "map_Kd" || !current_) return;
+    std::error_code error;
+    const auto [known, is_new] =
+        images_.emplace(std::filesystem::weakly_canonical(link.path, error), file_.parts.images.size());
+    if (is_new) file_.parts.images.push_back({name, link.path});
+    current_->image = known->second;
   }
 
   MeshFile& file_;
   std::filesystem::path path_;
+  ImageNumbers& images_;
   std::map<std::string, Material*> by_name_;
   Material* current_ = nullptr;
 };
 
-/// A name with blanks is one where there is such a file, else as many as there are words.
+/// Takes the first name off a list: a word, or what stands in quotes. None where a comment begins.
+std::string take_name(std::string_view& text) {
+  text = trimmed(text);
+  if (!text.empty() && text[0] == '#') text = {};
+  const std::size_t quote = text.empty() || text[0] != '"' ? std::string_view::npos : text.find('"', 1);
+  if (quote == std::string_view::npos) return std::string(take_word(text));
+  std::string name(text.substr(1, quote - 1));
+  text.remove_prefix(quote + 1);
+  return name;
+}
+
+/// A name with blanks is one where there is such a file, else as many as there are words or quotes.
 std::vector<Library> split_names(const std::vector<Library>& libraries, const std::filesystem::path& obj) {
   std::vector<Library> out;
   std::set<std::string> seen;
   const auto add = [&](const std::string& name) {
-    if (!seen.insert(name).second) return;
+    if (name.empty() || !seen.insert(std::filesystem::path(name).lexically_normal().string()).second) return;
     out.push_back({name, follow(obj, name).path});
   };
   for (const Library& library : libraries) {
@@ -156,7 +177,7 @@ std::vector<Library> split_names(const std::vector<Library>& libraries, const st
     if (follow(obj, library.name).is_there)
       add(library.name);
     else
-      while (!rest.empty()) add(std::string(take_word(rest)));
+      while (!rest.empty()) add(take_name(rest));
   }
   return out;
 }
@@ -165,9 +186,11 @@ std::vector<Library> split_names(const std::vector<Library>& libraries, const st
 
 void read_libraries(MeshFile& file, const std::filesystem::path& obj) {
   file.parts.libraries = split_names(file.parts.libraries, obj);
+  ImageNumbers images;
   for (const Library& library : file.parts.libraries) {
     const Link link = follow(obj, library.name);
     const auto text = link.is_there ? bytes_of(link.path, kMostLibrary) : std::nullopt;
+    if (text) file.files_beside.insert(link.path);
     if (!link.refusal.empty())
       file.report.refused.insert(link.refusal);
     else if (!text)
@@ -175,7 +198,7 @@ void read_libraries(MeshFile& file, const std::filesystem::path& obj) {
     else if (!link.is_inside && !is_library(*text))
       file.report.refused.insert("'" + library.name + "', which is no library of materials");
     else
-      LibraryReader(file, link.path).read(*text);
+      LibraryReader(file, link.path, images).read(*text);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "files/companions.hh"
 #include "files/image_type.hh"
 #include "files/mtl.hh"
+#include "files/own_companions.hh"
 
 namespace whittle::files {
 namespace {
@@ -46,15 +47,16 @@ ObjMaterials own_library(const Parts& parts, const fs::path& path, bool copies) 
   CompanionCopier copier(path, out.companions);
   for (const Image& image : parts.images) {
     if (image.path.empty() && !image.bytes.empty()) {
-      names.push_back(add_companion(out.companions, path, image_file_name(image, stem), image.bytes));
-      out.companions.back().owner = path.parent_path() / (stem + ".mtl");
+      names.push_back(own_name(out.companions, path, image_file_name(image, stem), image.bytes));
+      out.companions.push_back({path.parent_path() / names.back(), image.bytes});
     } else if (image.path.empty())
       names.push_back(image.name);
     else
       names.push_back(copies ? copier.copy(image.path) : relative_name(image.path, path.parent_path()));
   }
-  out.libraries.push_back(add_companion(out.companions, path, stem + ".mtl", mtl_text(parts, names)));
-  out.companions.back().owner = path;
+  std::string text = library_mark(path) + mtl_text(parts, names);
+  out.libraries.push_back(own_name(out.companions, path, stem + ".mtl", text));
+  out.companions.push_back({path.parent_path() / out.libraries.back(), std::move(text)});
   return out;
 }
 
@@ -64,17 +66,18 @@ ObjMaterials obj_materials(const Parts& parts, const fs::path& path, bool copies
   ObjMaterials out;
   if (!parts.has_materials()) return out;
   if (!parts.in_libraries) {
-    if (path != "-") return own_library(parts, path, copies);
-    leave_out(report, "materials, beside standard output");
+    if (has_a_folder(path)) return own_library(parts, path, copies);
+    leave_out(report,
+              path == "-" ? "materials, beside standard output" : "materials, beside a device or pipe");
     return out;
   }
-  const fs::path folder = path == "-" ? fs::path() : path.parent_path();
+  const fs::path folder = has_a_folder(path) ? path.parent_path() : fs::path();
   LibraryCopier copier(path, out.companions);
   for (const Library& library : parts.libraries) {
     const bool is_placed = !library.path.empty() && !fs::path(library.name).is_absolute();
     if (!is_placed)
       out.libraries.push_back(library.name);
-    else if (copies && path != "-")
+    else if (copies && has_a_folder(path))
       out.libraries.push_back(copier.copy(library));
     else
       out.libraries.push_back(relative_name(library.path, folder));

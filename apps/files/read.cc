@@ -152,6 +152,8 @@ MeshFile parse(std::string_view bytes, Format format, const ReadOptions& options
   MeshFile file = read_format(bytes, format, options, line, path);
   line = 0;
   if (format == Format::obj) read_libraries(file, path);
+  for (const Image& image : file.parts.images)
+    if (!image.path.empty()) file.files_beside.insert(image.path);
   // STL has corners only; glTF doubles every vertex along seams; OM has half-edges, which say what hangs together.
   const bool is_stl = format == Format::stl, is_gltf = format == Format::glb || format == Format::gltf;
   const bool joins =

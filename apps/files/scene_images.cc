@@ -1,5 +1,7 @@
 #include "files/scene_images.hh"
 
+#include <map>
+#include <optional>
 #include <string>
 
 #include "files/Choice.hh"
@@ -14,15 +16,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct EmbeddedImage {
+  std::optional<std::size_t> view = {};  ///< none: the file cannot be read
+  const ImageType* type = nullptr;       ///< null: unknown
+};
+
 /// The view takes the place of the file's name.
-void embed_image(GltfOutput& output, std::size_t number, const std::string& bytes) {
-  const std::size_t view = output.add_view(bytes);
-  GltfOutput::Json& image = output.json()["images"][number];
-  if (const ImageType* type = image_type(bytes)) image["mimeType"] = type->mime;
+void embed_image(GltfOutput::Json& image, const EmbeddedImage& embedded) {
+  if (embedded.type) image["mimeType"] = embedded.type->mime;
   if (!image.contains("mimeType")) image["mimeType"] = "application/octet-stream";
   if (!image.contains("name")) image["name"] = decode_percents(image["uri"].get<std::string>());
   image.erase("uri");
-  image["bufferView"] = view;
+  image["bufferView"] = *embedded.view;
+}
+
+/// The file's bytes are in the data once, however many images it is.
+EmbeddedImage embedded(GltfOutput& output, const fs::path& file) {
+  const auto bytes = bytes_of(file, CompanionCopier::kMost);
+  if (!bytes) return {};
+  return {output.add_view(*bytes), image_type(*bytes)};
 }
 
 /// One that is not carried over: its name leads to the same place from the result, where that can be.
@@ -44,6 +56,7 @@ void rename_image(const Scene& scene, const fs::path& path, const Link& link, co
 void carry_images(const Scene& scene, const fs::path& path, bool into_glb, GltfOutput& output, Encoded& out) {
   if (!output.json().contains("images")) return;
   CompanionCopier copier(path, out.companions);
+  std::map<fs::path, EmbeddedImage> known;
   for (std::size_t i = 0; i < output.json()["images"].size(); ++i) {
     GltfOutput::Json& image = output.json()["images"][i];
     if (!image.contains("uri") || !image["uri"].is_string()) continue;
@@ -53,10 +66,11 @@ void carry_images(const Scene& scene, const fs::path& path, bool into_glb, GltfO
     const Link link = follow_beside(scene.path, name);
     const auto from = link.is_there ? std::optional(link.path) : std::nullopt;
     if (!into_glb && from && is_same_file(*from, path.parent_path() / name)) continue;
-    const auto bytes = into_glb && from ? bytes_of(*from, CompanionCopier::kMost) : std::nullopt;
+    if (into_glb && from && known.count(*from) == 0) known.emplace(*from, embedded(output, *from));
+    const EmbeddedImage inside = into_glb && from ? known.at(*from) : EmbeddedImage();
     const std::string copied = !into_glb && from ? copier.copy(*from) : "";
-    if (bytes)
-      embed_image(output, i, *bytes);
+    if (inside.view)
+      embed_image(image, inside);
     else if (!copied.empty())
       image["uri"] = encode_percents(copied);
     else

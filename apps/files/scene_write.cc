@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "files/Fault.hh"
 #include "files/GltfOutput.hh"
@@ -72,6 +73,13 @@ std::vector<float> narrowed(const std::vector<float>& values, std::size_t compon
   return out;
 }
 
+/// A view whose data stay.
+struct KeptView {
+  std::size_t number;
+  std::size_t buffer, begin;  ///< of the input
+  std::string_view bytes;
+};
+
 class SceneWriter {
  public:
   SceneWriter(const MeshFile& in, const SceneResult& result, WriteReport& report)
@@ -94,15 +102,33 @@ class SceneWriter {
   void prepare_data() {
     const SceneReferences kept = references_besides(document_, scene_.pieces);
     std::string buffer;
+    std::vector<KeptView> views;
     for (std::size_t i = 0; i < kept.views.size(); ++i) {
       if (!kept.views[i]) continue;
-      Json& view = document_["bufferViews"][i];
-      buffer.resize((buffer.size() + 7) / 8 * 8, '\0');
+      const Json& view = document_["bufferViews"][i];
       const std::string_view bytes = bytes_of_view(view);
+      views.push_back(
+          {i, view.value("buffer", std::size_t{0}), view.value("byteOffset", std::size_t{0}), bytes});
+    }
+    std::sort(views.begin(), views.end(), [](const KeptView& a, const KeptView& b) {
+      return std::tie(a.buffer, a.begin, a.number) < std::tie(b.buffer, b.begin, b.number);
+    });
+    // Views that overlap stay so: what they share is there once.
+    std::size_t from = 0, end = 0;  // which buffer has been copied, up to where
+    for (const KeptView& one : views) {
+      if (one.buffer != from || one.begin >= end || buffer.empty()) {
+        buffer.resize((buffer.size() + 7) / 8 * 8, '\0');
+        from = one.buffer;
+        end = one.begin;
+      }
+      const std::size_t shared = end - one.begin;
+      Json& view = document_["bufferViews"][one.number];
       view["buffer"] = 0;
-      view["byteOffset"] = buffer.size();
-      view["byteLength"] = bytes.size();
-      buffer += bytes;
+      view["byteOffset"] = buffer.size() - shared;
+      view["byteLength"] = one.bytes.size();
+      if (shared >= one.bytes.size()) continue;
+      buffer += one.bytes.substr(shared);
+      end = one.begin + one.bytes.size();
     }
     output_.emplace(std::move(document_), std::move(buffer));
     output_->set_free(unmarked(kept.accessors), unmarked(kept.views));

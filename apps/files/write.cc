@@ -8,6 +8,7 @@
 #include "files/Fault.hh"
 #include "files/GltfOutput.hh"
 #include "files/Outputs.hh"
+#include "files/companions.hh"
 #include "files/formats.hh"
 #include "files/gzip.hh"
 #include "files/obj_materials.hh"
@@ -157,8 +158,9 @@ Format format_to_write(const std::filesystem::path& path, const WriteOptions& op
   if (options.format.empty() && path == "-") throw Fault("the format of standard output must be named");
   const Format format =
       format_of_extension(options.format.empty() ? extension_of_format(path) : "." + options.format);
-  if (format == Format::gltf && path == "-")
-    throw Fault("gltf has its data in a file beside it; standard output takes glb");
+  if (format == Format::gltf && !has_a_folder(path))
+    throw Fault(std::string("gltf has its data in a file beside it; ") +
+                (path == "-" ? "standard output takes glb" : "devices and pipes take glb"));
   return format;
 }
 

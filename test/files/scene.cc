@@ -376,4 +376,51 @@ TEST_CASE("glTF: a mesh of another format is written as .gltf with its data besi
         "standard output: gltf has its data in a file beside it; standard output takes glb");
 }
 
+TEST_CASE(
+    "scene: views that share bytes share them in the result, and an image of several views is one file") {
+  const Folder folder;
+  RichScene rich;
+  Json& json = rich.built.json;
+  const Json png = json["bufferViews"][json["images"][0]["bufferView"].get<std::size_t>()];
+  Json list = Json::array();
+  json["textures"] = Json::array();
+  json["images"] = Json::array();
+  for (Json& material : json["materials"]) material = Json::object();
+  for (std::size_t i = 0; i < 100; ++i) {
+    json["bufferViews"].push_back(png);
+    list.push_back(json["bufferViews"].size() - 1);
+    json["images"].push_back({{"bufferView", list.back()}, {"mimeType", "image/png"}});
+    json["textures"].push_back({{"source", i}});
+    json["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
+  }
+  json["extensions"] = {{"ACME_views", {{"views", list}}}};
+  json["extensionsUsed"] = {"ACME_views"};
+  folder.put("a.gltf", json.dump());
+  const MeshFile file = read_kept_scene(folder, "a.gltf");
+  const Encoded out = unchanged(folder, file, "b.glb");
+  std::size_t copies = 0;
+  for (std::size_t at = 0; (at = out.bytes.find(rich.image, at)) != std::string::npos; ++at) ++copies;
+  CHECK(copies == 1);
+  const Json views = json_of(out.bytes)["bufferViews"];
+  for (const Json& view : list)
+    CHECK(views[view.get<std::size_t>()]["byteOffset"] == views[list[0].get<std::size_t>()]["byteOffset"]);
+  const MeshFile flat = read_mesh(folder / "a.gltf");
+  CHECK(flat.parts.images.size() == 1);
+  CHECK(flat.parts.materials.back().image == 0);
+}
+
+TEST_CASE("scene: a node below itself, and a joint that a skin does not have, are errors") {
+  const Folder folder;
+  const auto error = [&](const Json& json) {
+    folder.put("a.gltf", json.dump());
+    return folder.message([&] { read_kept_scene(folder, "a.gltf"); });
+  };
+  Json json = RichScene().built.json;
+  json["nodes"].push_back({{"children", {json["nodes"].size()}}});
+  CHECK(error(json) == "a.gltf: its JSON is damaged: a node is below itself");
+  json = RichScene().built.json;
+  json["skins"][0]["joints"].erase(1);
+  CHECK(error(json) == "a.gltf: a vertex follows joint 1 of a skin that has 1; --flatten leaves skins out");
+}
+
 }  // namespace whittle::files
