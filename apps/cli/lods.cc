@@ -187,6 +187,18 @@ std::string table(const Options& options, const files::MeshFile& in, const std::
   return out + below;
 }
 
+/// Which levels are no coarser than the one before: "9, 10"; empty where all are.
+std::string no_coarser(const files::MeshFile& in, const std::vector<Level>& levels) {
+  std::string out;
+  std::size_t before = in.mesh.triangles.size();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const std::size_t faces = levels[i].result.mesh.triangles.size();
+    if (faces >= before) out += (out.empty() ? "" : ", ") + std::to_string(i + 1);
+    before = faces;
+  }
+  return out;
+}
+
 files::Parts parts_of(const files::MeshFile& in, const Level& level) {
   files::Parts parts = in.parts;
   parts.of_face = level.result.parts;
@@ -258,6 +270,8 @@ int lods(Options options) {
   outputs.commit();
   if (!options.quiet)
     for (const std::string& note : written.notes()) complain(options.out + ": " + note);
+  if (const std::string same = no_coarser(in, levels); !same.empty() && !options.quiet)
+    complain("levels that have as many faces as the one before: " + same);
   const auto was_dropped = [](const Level& level) { return level.result.refit_dropped; };
   if (const auto n = std::count_if(levels.begin(), levels.end(), was_dropped); n > 0 && !options.quiet)
     complain("the refit of " + std::to_string(n) +

@@ -44,7 +44,8 @@ std::string first_bytes(const fs::path& file, std::size_t most) {
 }
 
 std::vector<fs::path> own_buffers(const fs::path& file) {
-  constexpr std::size_t most = std::size_t{1} << 28;  // bytes
+  constexpr std::size_t most = std::size_t{1}
+                               << 26;  // bytes; with data inside it may be larger, and has none beside it
   std::vector<fs::path> out;
   const auto text = bytes_of(file, most);
   const Json json = Json::parse(text.value_or(""), nullptr, false);

@@ -96,3 +96,14 @@ TEST_CASE("lods reports a level out of reach, and refuses parameters out of rang
     CHECK(bad.error_lines() == 1);
   }
 }
+
+TEST_CASE("lods: levels that are no coarser than the one before are said") {
+  const programs::Folder folder;
+  files::write_mesh(folder / "a.ply", meshes::flat_grid(3));
+  const auto done = whittle_program(
+      {"lods", folder / "a.ply", "--out", folder / "l.glb", "--levels", "6", "--ratio", "0.5"});
+  INFO(done.err);
+  CHECK_THAT(done.err, Catch::Matchers::Contains("levels that have as many faces as the one before: 4, 5"));
+  CHECK_THAT(whittle_program({"lods", folder / "a.ply", "--out", folder / "l.glb", "--levels", "3"}).err,
+             !Catch::Matchers::Contains("as many faces"));
+}
