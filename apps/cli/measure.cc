@@ -86,13 +86,16 @@ std::string table(const measure::MeshFacts& a, const measure::MeshFacts& b, cons
 }
 
 /// \throw FileError  there is no surface to measure from
-void require_area(const std::string& path, const measure::MeshFacts& facts) {
+void require_area(const std::string& path, const IndexedMesh& mesh, const measure::MeshFacts& facts) {
   if (facts.faces > 0 && facts.area > 0 && std::isfinite(facts.area)) return;
   constexpr double largest = 1e150, least = 1e-150;  // whose squares are numbers
   std::string why = ": no face has an area";
   if (facts.faces == 0) why = ": there are no faces";
-  if (facts.diagonal > largest) why = ": too large; the areas of its faces are beyond what a number can be";
-  if (facts.diagonal > 0 && facts.diagonal < least) why = ": too small; the areas of its faces round to 0";
+  double size = 0;  // along an axis, so that nothing is squared
+  for (const IndexedMesh::Point& point : mesh.points)
+    size = std::max(size, (point - mesh.points[0]).cwiseAbs().maxCoeff());
+  if (size > largest) why = ": too large; the areas of its faces are beyond what a number can be";
+  if (size > 0 && size < least) why = ": too small; the areas of its faces round to 0";
   throw files::FileError((path == "-" ? "standard input" : path) + why);
 }
 
@@ -153,8 +156,8 @@ Command add_measure(CLI::App& app) {
       print_notes_on_shape(options->simplified, simplified.report);
     }
     const measure::MeshFacts before = measure::facts(original.mesh), after = measure::facts(simplified.mesh);
-    require_area(options->original, before);
-    require_area(options->simplified, after);
+    require_area(options->original, original.mesh, before);
+    require_area(options->simplified, simplified.mesh, after);
     measure::DistanceOptions sampling;
     sampling.samples = options->samples;
     const measure::Distance distance = measure::distance(original.mesh, simplified.mesh, sampling);

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <limits>
+#include <set>
 
 #include "files/Fault.hh"
 #include "files/GltfScene.hh"
@@ -180,7 +181,9 @@ void read_kept(const GltfDocument& document, const tinygltf::Model& model, GltfD
 /// The files that a document names.
 void note_files(const GltfDocument& document, const std::filesystem::path& path, MeshFile& file) {
   std::error_code error;
+  std::set<std::string> seen;
   const auto note = [&](const std::string& uri) {
+    if (!seen.insert(uri).second) return;
     const auto beside_it = is_data_uri(uri) ? std::nullopt : beside(path, decode_percents(uri));
     if (beside_it && std::filesystem::is_regular_file(*beside_it, error))
       file.files_beside.insert(*beside_it);

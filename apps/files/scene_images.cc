@@ -57,13 +57,16 @@ void carry_images(const Scene& scene, const fs::path& path, bool into_glb, GltfO
   if (!output.json().contains("images")) return;
   CompanionCopier copier(path, out.companions);
   std::map<fs::path, EmbeddedImage> known;
+  std::map<std::string, Link> links;
   for (std::size_t i = 0; i < output.json()["images"].size(); ++i) {
     GltfOutput::Json& image = output.json()["images"][i];
     if (!image.contains("uri") || !image["uri"].is_string()) continue;
     const std::string uri = image["uri"].get<std::string>();
     if (is_data_uri(uri)) continue;
     const std::string name = decode_percents(uri);
-    const Link link = follow_beside(scene.path, name);
+    const auto [place, is_new] = links.emplace(name, Link());
+    if (is_new) place->second = follow_beside(scene.path, name);
+    const Link& link = place->second;
     const auto from = link.is_there ? std::optional(link.path) : std::nullopt;
     if (!into_glb && from && is_same_file(*from, path.parent_path() / name)) continue;
     if (into_glb && from && known.count(*from) == 0) known.emplace(*from, embedded(output, *from));
