@@ -112,7 +112,7 @@ Json names(const attributes::Attributes& attributes) {
   return out;
 }
 
-Json names_of(const std::set<std::filesystem::path>& files) {
+Json paths_of(const std::set<std::filesystem::path>& files) {
   Json out = Json::array();
   for (const std::filesystem::path& file : files) out.push_back(file.string());
   return out;
@@ -162,7 +162,7 @@ Json describe(const Options& options, const recipe::Recipe& recipe, const files:
             {"vertices", in.mesh.points.size()},
             {"faces", in.mesh.triangles.size()},
             {"attributes", attributes_read},
-            {"files_beside", names_of(in.files_beside)},
+            {"files_beside", paths_of(in.files_beside)},
             {"read", to_json(in.report)}}},
           {"output",
            {{"file", options.out},
