@@ -232,7 +232,7 @@ TEST_CASE(
   };
   file("big.obj", "1e300");
   file("tiny.obj", "1e-300");
-  file("flat.obj", "0");
+  std::ofstream(given.folder / "flat.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"big.obj", "too large"}, {"tiny.obj", "too small"}, {"flat.obj", "no face has an area"}};
   for (const auto& [name, why] : cases) {
