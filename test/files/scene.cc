@@ -384,18 +384,18 @@ TEST_CASE(
   RichScene rich;
   Json& json = rich.built.json;
   const Json png = json["bufferViews"][json["images"][0]["bufferView"].get<std::size_t>()];
-  Json list = Json::array();
+  Json same_bytes = Json::array();
   json["textures"] = Json::array();
   json["images"] = Json::array();
   for (Json& material : json["materials"]) material = Json::object();
   for (std::size_t i = 0; i < 100; ++i) {
     json["bufferViews"].push_back(png);
-    list.push_back(json["bufferViews"].size() - 1);
-    json["images"].push_back({{"bufferView", list.back()}, {"mimeType", "image/png"}});
+    same_bytes.push_back(json["bufferViews"].size() - 1);
+    json["images"].push_back({{"bufferView", same_bytes.back()}, {"mimeType", "image/png"}});
     json["textures"].push_back({{"source", i}});
     json["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
   }
-  json["extensions"] = {{"ACME_views", {{"views", list}}}};
+  json["extensions"] = {{"ACME_views", {{"views", same_bytes}}}};
   json["extensionsUsed"] = {"ACME_views"};
   folder.put("a.gltf", json.dump());
   const MeshFile file = read_kept_scene(folder, "a.gltf");
@@ -404,8 +404,9 @@ TEST_CASE(
   for (std::size_t at = 0; (at = out.bytes.find(rich.image, at)) != std::string::npos; ++at) ++copies;
   CHECK(copies == 1);
   const Json views = json_of(out.bytes)["bufferViews"];
-  for (const Json& view : list)
-    CHECK(views[view.get<std::size_t>()]["byteOffset"] == views[list[0].get<std::size_t>()]["byteOffset"]);
+  for (const Json& view : same_bytes)
+    CHECK(views[view.get<std::size_t>()]["byteOffset"] ==
+          views[same_bytes[0].get<std::size_t>()]["byteOffset"]);
   const MeshFile flat = read_mesh(folder / "a.gltf");
   CHECK(flat.parts.images.size() == 1);
   CHECK(flat.parts.materials.back().image == 0);
