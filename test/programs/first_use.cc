@@ -146,7 +146,8 @@ TEST_CASE("batch tells what simplify would tell of each mesh, and names a broken
   REQUIRE(below != std::string::npos);
   CHECK(rows < below);
   CHECK_THAT(done.out, Contains("\n  not written: ") && Contains("\n  not found: gone.png\n"));
-  for (const Json& mesh : Json::parse(programs::contents(folder / "json"))["meshes"]) {
+  const Json told = Json::parse(programs::contents(folder / "json"));
+  for (const Json& mesh : told["meshes"]) {
     const bool is_broken = mesh["in"] == broken;
     if (is_broken) CHECK(mesh["message"].get<std::string>().rfind("line 3: ", 0) == 0);
     if (!is_broken) CHECK(mesh["message"].is_null());

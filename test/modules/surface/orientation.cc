@@ -159,8 +159,8 @@ class NearlyFlat {
 
 TEST_CASE("orientation is that of rationals on nearly flat points") {
   NearlyFlat source(7);
-  const auto [spread, floats, n] = GENERATE(std::tuple(20.0, true, 60000), std::tuple(1.0, false, 60000),
-                                            std::tuple(250.0, false, 60000), std::tuple(500.0, false, 20000));
+  const auto [spread, floats, n] = GENERATE(std::tuple(20.0, true, 15000), std::tuple(1.0, false, 15000),
+                                            std::tuple(250.0, false, 15000), std::tuple(500.0, false, 5000));
   source.spread = spread;
   source.floats = floats;
   Tally of_space{}, of_plane{};
