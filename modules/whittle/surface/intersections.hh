@@ -36,7 +36,7 @@ Intersections find_intersections(const std::vector<std::array<std::uint32_t, 3>>
                                  const Place& place, std::size_t most, Crew& crew, const Counts& counts) {
   const FaceTree tree(triangles, place, crew);
   constexpr std::size_t kLeaves = 256,
-                        kBlocks = 64;  // at once; the result depends on them, not on the threads
+                        kBlocks = 8;  // at once; the result depends on them, not on the threads
   constexpr std::size_t kLooks = std::size_t{1} << 20;  // of a block: some thousand for each face
   Intersections out;
   for (std::size_t first = 0; first < tree.n_leaves() && out.complete; first += kLeaves * kBlocks) {
