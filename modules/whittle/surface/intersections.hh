@@ -30,14 +30,15 @@ struct Intersections {
 
 namespace detail {
 
-/// \param counts  whether a pair of faces that intersect is to be counted; called on any thread
+/// \param counts      whether a pair of faces that intersect is to be counted; called on any thread
+/// \param most_looks  pairs that are looked at for a block of some thousand faces
 template <typename Place, typename Counts>
 Intersections find_intersections(const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                 const Place& place, std::size_t most, Crew& crew, const Counts& counts) {
+                                 const Place& place, std::size_t most, Crew& crew, const Counts& counts,
+                                 std::size_t most_looks = std::size_t{1} << 20) {
   const FaceTree tree(triangles, place, crew);
   constexpr std::size_t kLeaves = 256,
                         kBlocks = 8;  // at once; the result depends on them, not on the threads
-  constexpr std::size_t kLooks = std::size_t{1} << 20;  // of a block: some thousand for each face
   Intersections out;
   for (std::size_t first = 0; first < tree.n_leaves() && out.complete; first += kLeaves * kBlocks) {
     const std::size_t n = std::min(tree.n_leaves() - first, kLeaves * kBlocks);
@@ -47,7 +48,7 @@ Intersections find_intersections(const std::vector<std::array<std::uint32_t, 3>>
       std::vector<FacePair>& pairs = found[begin / kLeaves];
       std::size_t looks = 0;
       const auto look = [&](std::uint32_t f, std::uint32_t g) {
-        if (++looks > kLooks) {
+        if (++looks > most_looks) {
           given_up[begin / kLeaves] = true;
           return false;
         }
