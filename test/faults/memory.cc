@@ -18,8 +18,8 @@ namespace {
 
 constexpr long kMiB = 1024;  // in the units of ru_maxrss
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr long kShadow = 12;  // what a sanitizer adds
+#ifdef WHITTLE_SANITIZED
+constexpr long kShadow = 2;  // with what a sanitizer adds to the program, which this one is built without
 #else
 constexpr long kShadow = 1;
 #endif
