@@ -2,7 +2,6 @@
 /// Seams: lines across which corners differ, in texture say. Vertices move along them only.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -96,7 +95,7 @@ inline void mark_seams(Mesh& mesh, const std::vector<std::array<std::uint32_t, 3
   mesh.slits.assign(table.n_vertices(), 0);
   for (std::uint32_t v = 0; v < mesh.seams.size(); ++v) {
     if (mesh.holds[v] != kFree) mesh.slits[v] = Mesh::kHeldAnyway;
-    if (ends_slit(mesh, v)) mesh.holds[v] = std::max(mesh.holds[v], kFixed);
+    if (ends_slit(mesh, v)) mesh.holds[v] = kFixed;
   }
   mark_slits(mesh, seams);
 }

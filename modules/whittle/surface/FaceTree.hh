@@ -25,9 +25,6 @@ struct FaceBox {
       : low(a.cwiseMin(b).cwiseMin(c)), high(a.cwiseMax(b).cwiseMax(c)) {}
 
   bool touches(const FaceBox& other) const { return (low <= other.high).all() && (other.low <= high).all(); }
-  bool operator==(const FaceBox& other) const {
-    return (low == other.low).all() && (high == other.high).all();
-  }
   void add(const FaceBox& other) {
     low = low.min(other.low);
     high = high.max(other.high);
@@ -54,16 +51,6 @@ class FaceTree {
     return levels_.empty() || descend(levels_.size() - 1, 0, leaf, visit);
   }
 
-  /// Calls `visit(f)`, until it returns false, for each face whose box touches another box.
-  /// \return whether it has never returned false
-  template <typename Visit>
-  bool touching(const FaceBox& box, const Visit& visit) const {
-    return levels_.empty() || find(levels_.size() - 1, 0, box, visit);
-  }
-
-  /// Gives a face another box; that of nothing takes it out.
-  void set(std::uint32_t face, const FaceBox& box);
-
  private:
   static constexpr std::size_t kAtOnce = 4096;
 
@@ -71,8 +58,6 @@ class FaceTree {
   bool descend(std::size_t level, std::size_t node, std::size_t leaf, const Visit& visit) const;
   template <typename Visit>
   bool pairs_between(std::size_t leaf, std::size_t other, const Visit& visit) const;
-  template <typename Visit>
-  bool find(std::size_t level, std::size_t node, const FaceBox& box, const Visit& visit) const;
   void sort(Crew& crew);
   FaceBox leaf_box(std::size_t leaf) const {
     FaceBox box;
@@ -87,14 +72,14 @@ class FaceTree {
     return box;
   }
 
-  std::vector<std::uint32_t> faces_, at_;     // by the curve; where each is
+  std::vector<std::uint32_t> faces_;          // by the curve
   std::vector<FaceBox> boxes_;                // of them
   std::vector<std::vector<FaceBox>> levels_;  // of leaves, of pairs of leaves, and so on to the root
 };
 
 template <typename Place>
 FaceTree::FaceTree(const std::vector<Triangle>& triangles, const Place& place, Crew& crew)
-    : faces_(triangles.size()), at_(triangles.size()), boxes_(triangles.size()) {
+    : faces_(triangles.size()), boxes_(triangles.size()) {
   if (triangles.empty()) return;
   crew.each_range(triangles.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
@@ -108,18 +93,6 @@ FaceTree::FaceTree(const std::vector<Triangle>& triangles, const Place& place, C
     const std::size_t level = levels_.size() - 1;
     for (std::size_t node = 0; node < levels_[level].size(); ++node)
       levels_[level][node] = inner_box(level, node);
-  }
-}
-
-inline void FaceTree::set(std::uint32_t face, const FaceBox& box) {
-  boxes_[at_[face]] = box;
-  std::size_t node = at_[face] / kLeaf;
-  FaceBox changed = leaf_box(node);
-  for (std::size_t level = 0; !(levels_[level][node] == changed); ++level) {
-    levels_[level][node] = changed;
-    if (level + 1 == levels_.size()) return;
-    node /= 2;
-    changed = inner_box(level + 1, node);
   }
 }
 
@@ -155,7 +128,6 @@ inline void FaceTree::sort(Crew& crew) {
   std::vector<FaceBox> sorted(boxes_.size());
   for (std::size_t i = 0; i < keys.size(); ++i) {
     faces_[i] = keys[i].second;
-    at_[keys[i].second] = static_cast<std::uint32_t>(i);
     sorted[i] = boxes_[keys[i].second];
   }
   boxes_ = std::move(sorted);
@@ -176,18 +148,6 @@ bool FaceTree::pairs_between(std::size_t leaf, std::size_t other, const Visit& v
   for (std::size_t i = leaf * kLeaf; i < end; ++i)
     for (std::size_t j = std::max(i + 1, other * kLeaf); j < other_end; ++j)
       if (boxes_[i].touches(boxes_[j]) && !visit(faces_[i], faces_[j])) return false;
-  return true;
-}
-
-template <typename Visit>
-bool FaceTree::find(std::size_t level, std::size_t node, const FaceBox& box, const Visit& visit) const {
-  if (!levels_[level][node].touches(box)) return true;
-  if (level > 0) {
-    if (!find(level - 1, 2 * node, box, visit)) return false;
-    return 2 * node + 1 >= levels_[level - 1].size() || find(level - 1, 2 * node + 1, box, visit);
-  }
-  for (std::size_t i = node * kLeaf; i < std::min(faces_.size(), (node + 1) * kLeaf); ++i)
-    if (boxes_[i].touches(box) && !visit(faces_[i])) return false;
   return true;
 }
 

@@ -30,11 +30,10 @@ struct Intersections {
 
 namespace detail {
 
-/// \param counts      whether a pair of faces that intersect is to be counted; called on any thread
 /// \param most_looks  pairs that are looked at for a block of some thousand faces
-template <typename Place, typename Counts>
+template <typename Place>
 Intersections find_intersections(const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                 const Place& place, std::size_t most, Crew& crew, const Counts& counts,
+                                 const Place& place, std::size_t most, Crew& crew,
                                  std::size_t most_looks = std::size_t{1} << 20) {
   const FaceTree tree(triangles, place, crew);
   constexpr std::size_t kLeaves = 256,
@@ -52,7 +51,7 @@ Intersections find_intersections(const std::vector<std::array<std::uint32_t, 3>>
           given_up[begin / kLeaves] = true;
           return false;
         }
-        if (!faces_intersect(triangles[f], triangles[g], place) || !counts(f, g)) return true;
+        if (!faces_intersect(triangles[f], triangles[g], place)) return true;
         pairs.push_back({std::min(f, g), std::max(f, g)});
         return pairs.size() <= most;
       };
@@ -93,8 +92,7 @@ Intersections intersections(const IndexedMeshT<Real>& mesh, std::size_t most = 1
   const auto place = [&](std::uint32_t v) -> Eigen::Vector3d {
     return mesh.points[v].template cast<double>();
   };
-  return detail::find_intersections(mesh.triangles, place, most, crew,
-                                    [](std::uint32_t, std::uint32_t) { return true; });
+  return detail::find_intersections(mesh.triangles, place, most, crew);
 }
 
 }  // namespace whittle

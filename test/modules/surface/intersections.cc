@@ -83,10 +83,9 @@ TEST_CASE(
     "intersections: where more faces are near one another than are looked at, the answer is not complete") {
   const IndexedMesh mesh = soup(300, 0.3, 300);
   const auto place = [&](std::uint32_t v) { return mesh.points[v]; };
-  const auto all = [](std::uint32_t, std::uint32_t) { return true; };
   detail::Crew crew(1);
   const auto found = [&](std::size_t most_looks) {
-    return detail::find_intersections(mesh.triangles, place, 1000000, crew, all, most_looks);
+    return detail::find_intersections(mesh.triangles, place, 1000000, crew, most_looks);
   };
   CHECK_FALSE(found(100).complete);
   CHECK(found(100).pairs.size() < found(1000000).pairs.size());
