@@ -26,6 +26,10 @@ std::size_t n_components(const std::string& type) {
 
 }  // namespace
 
+bool shows_triangles(const Json& part) {
+  return part.value("mode", 4) == 4;
+}
+
 GltfViews::GltfViews(Json& document, const std::string& buffer) : json_(document) {
   for (const Json& view : list_of_views(json_, "bufferViews"))
     views_.push_back(
@@ -55,7 +59,10 @@ GltfViews::GltfViews(Json& document, const std::string& buffer) : json_(document
 }
 
 void GltfViews::note_part(std::size_t mesh, const Json& part) {
-  if (part.contains("indices")) note_use(mesh, part["indices"], &Use::as_indices);
+  if (part.contains("indices")) {
+    note_use(mesh, part["indices"], &Use::as_indices);
+    if (!shows_triangles(part)) uses_.at(part["indices"].get<std::size_t>()).of_triangles = false;
+  }
   for (const Json& number : part.at("attributes")) note_use(mesh, number, &Use::as_vertices);
   for (const Json& target : list_of_views(part, "targets"))
     for (const Json& number : target) note_use(mesh, number, &Use::as_vertices);

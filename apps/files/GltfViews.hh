@@ -10,6 +10,9 @@
 
 namespace whittle::files {
 
+/// Whether a part of a mesh is of triangles, each with corners of its own.
+bool shows_triangles(const nlohmann::json& part);
+
 /// Takes the one buffer of a document apart, and puts it together again.
 /// \pre all views lie in the first buffer, as GltfOutput leaves them
 class GltfViews {
@@ -26,7 +29,8 @@ class GltfViews {
     std::size_t times = 0;  ///< that parts of meshes name it
     std::size_t mesh = 0;   ///< the first that does
     bool in_several_meshes = false, as_vertices = false, as_indices = false;
-    bool elsewhere = false;  ///< what is no part names it too: an animation, a skin, an extension
+    bool of_triangles = true;  ///< no part that has it for its corners is of lines or points
+    bool elsewhere = false;    ///< what is no part names it too: an animation, a skin, an extension
   };
 
   /// Throws what nlohmann::json throws where the document is damaged.

@@ -10,6 +10,7 @@
 #include "files/Fault.hh"
 #include "files/beside.hh"
 #include "files/companions.hh"
+#include "files/gltf_extensions.hh"
 #include "files/image_type.hh"
 #include "files/rounding.hh"
 #include "files/subset.hh"
@@ -86,7 +87,7 @@ void GltfWriter::add_materials(const Parts& parts) {
     document["materials"].push_back(gltf_material(material, texture));
     is_moved = is_moved || (texture && material.is_texture_moved());
   }
-  if (is_moved) document["extensionsUsed"] = Json::array({kTextureTransform});
+  if (is_moved) use_gltf_extension(document, kTextureTransform);
 }
 
 /// \return none: it cannot be read, or glTF has no images of its kind

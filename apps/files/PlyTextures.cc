@@ -22,14 +22,12 @@ void PlyTextures::finish(const std::vector<std::string>& names, const fs::path& 
   if (!any()) return;
   add_faces(file.mesh.triangles.size());
   for (const std::string& name : names) {
-    const auto place = beside(path, name);
-    std::error_code error;
-    const bool is_there = place && fs::is_regular_file(*place, error);
-    if (is_there)
-      file.files_beside.insert(*place);
+    const Link link = follow_beside(path, name);
+    if (link.is_there)
+      file.files_beside.insert(link.path);
     else
       file.report.not_found.insert(name);
-    file.parts.images.push_back({name, is_there ? *place : fs::path()});
+    file.parts.images.push_back({name, link.is_there ? link.path : fs::path()});
     Material material;
     material.name = fs::path(name).stem().string();
     material.image = file.parts.images.size() - 1;

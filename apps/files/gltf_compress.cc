@@ -6,8 +6,8 @@
 
 #include "files/Fault.hh"
 #include "files/bytes.hh"
+#include "files/gltf_extensions.hh"
 #include "files/gltf_pack.hh"
-#include "files/gltf_transforms.hh"
 
 namespace whittle::files {
 namespace {
@@ -16,10 +16,6 @@ using Json = nlohmann::json;
 
 constexpr const char* kCompression = "EXT_meshopt_compression";
 constexpr std::uint32_t kUnnumbered = static_cast<std::uint32_t>(-1);
-
-bool shows_triangles(const Json& part) {
-  return part.value("mode", 4) == 4;
-}
 
 /// The accessors of a part's vertices; none where one of them cannot be changed for this part alone.
 std::vector<std::size_t> own_vertices(const GltfViews& views, const Json& part) {
@@ -90,14 +86,6 @@ struct Packing {
   std::size_t stride = 0;
 };
 
-/// Whether all parts that use an accessor for their corners are triangles.
-bool are_triangles(const Json& document, std::size_t accessor) {
-  for (const Json& mesh : document["meshes"])
-    for (const Json& part : mesh["primitives"])
-      if (part.contains("indices") && part["indices"] == accessor && !shows_triangles(part)) return false;
-  return true;
-}
-
 Packing packing_of(GltfViews& views, std::size_t view) {
   const std::vector<std::size_t>& accessors = views.accessors_of(view);
   bool vertices = !accessors.empty(), indices = vertices;
@@ -112,7 +100,7 @@ Packing packing_of(GltfViews& views, std::size_t view) {
   if (vertices) return stride % 4 == 0 && stride <= 256 ? Packing{"ATTRIBUTES", stride} : Packing();
   if (stride != 2 && stride != 4) return {};
   const bool triangles =
-      accessors.size() == 1 && size / stride % 3 == 0 && are_triangles(views.json(), accessors[0]);
+      accessors.size() == 1 && size / stride % 3 == 0 && views.use(accessors[0]).of_triangles;
   return {triangles ? "TRIANGLES" : "INDICES", stride};
 }
 
@@ -210,7 +198,7 @@ std::string compress_gltf(GltfViews& views) {
   }
   if (end == 0) return buffer;
   json["buffers"].push_back({{"byteLength", end}, {"extensions", {{kCompression, {{"fallback", true}}}}}});
-  name_gltf_extension(json, kCompression);
+  use_gltf_extension(json, kCompression, true);
   return buffer;
 }
 

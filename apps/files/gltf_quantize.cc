@@ -5,6 +5,7 @@
 #include <set>
 
 #include "files/bytes.hh"
+#include "files/gltf_extensions.hh"
 #include "files/gltf_pack.hh"
 #include "files/gltf_transforms.hh"
 #include "text/number.hh"
@@ -49,13 +50,18 @@ T rounded_to(double value) {
 class Quantizer {
  public:
   Quantizer(GltfViews& views, int bits, bool folds, WriteReport& report)
-      : views_(views), bits_(bits), levels_(std::exp2(bits) - 1), folds_(folds), report_(report) {}
+      : views_(views),
+        nodes_(views.json()),
+        bits_(bits),
+        levels_(std::exp2(bits) - 1),
+        folds_(folds),
+        report_(report) {}
 
   void run() {
     if (!views_.json().contains("meshes")) return;
     for (std::size_t mesh = 0; mesh < views_.json()["meshes"].size(); ++mesh) quantize_mesh(mesh);
     if (!changed_) return;
-    name_gltf_extension(views_.json(), "KHR_mesh_quantization");
+    use_gltf_extension(views_.json(), "KHR_mesh_quantization", true);
     note();
   }
 
@@ -143,7 +149,7 @@ class Quantizer {
     const double step = extent > 0 ? extent / levels_ : 1;
     if (!std::isnormal(static_cast<float>(step)) || !box.sizes().allFinite())
       return "is too small or too large";
-    if (const char* against = move_nodes(views_.json(), mesh, box.min(), step, folds_)) return against;
+    if (const char* against = nodes_.move(mesh, box.min(), step, folds_)) return against;
     for (const std::size_t accessor : of.positions) write_points<std::uint16_t>(accessor, box.min(), step);
     for (const std::size_t accessor : of.shifts) write_points<std::int16_t>(accessor, Vector3d::Zero(), step);
     return nullptr;
@@ -189,6 +195,7 @@ class Quantizer {
   }
 
   GltfViews& views_;
+  MeshNodes nodes_;
   int bits_;
   double levels_;
   bool folds_;

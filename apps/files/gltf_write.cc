@@ -6,6 +6,7 @@
 #include "files/GltfWriter.hh"
 #include "files/companions.hh"
 #include "files/formats.hh"
+#include "files/gltf_extensions.hh"
 #include "files/gltf_pack.hh"
 #include "files/levels.hh"
 
@@ -35,7 +36,7 @@ void connect_level_views(nlohmann::json& document, const std::vector<LevelView>&
   const std::vector<double> coverage = screen_coverage(diagonal_of(*levels[0].mesh), errors);
   if (!coverage.empty()) first["extras"]["MSFT_screencoverage"] = coverage;
   first["extensions"]["MSFT_lod"]["ids"] = std::move(others);
-  document["extensionsUsed"].push_back("MSFT_lod");
+  use_gltf_extension(document, "MSFT_lod");
 }
 
 }  // namespace
