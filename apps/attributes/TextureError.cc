@@ -45,6 +45,11 @@ IndexedMesh unfolded(const IndexedMesh& mesh, const Attribute& texture) {
   return out;
 }
 
+/// The value at the point of a face in which its corners have these shares.
+Eigen::Vector2d blended(const std::array<double, 3>& shares, const std::array<Eigen::Vector2d, 3>& at) {
+  return shares[0] * at[0] + shares[1] * at[1] + shares[2] * at[2];
+}
+
 Eigen::Vector3d centre(const measure::Corners& face) {
   return (face.a + face.b + face.c) / 3;
 }
@@ -165,14 +170,11 @@ TextureError texture_error(const IndexedMesh& original, const Attribute& before,
     const std::uint32_t f = from.index(face), chart = all.of_face[f];
     if (!is_left[chart]) return -1.0;
     const Eigen::Vector3d in_cell = p + cells.offset(chart);
-    const auto was = measure::shares(from.face(face), p);
-    const auto at = places(original, before, f);
-    const Eigen::Vector2d there = was[0] * at[0] + was[1] * at[1] + was[2] * at[2];
+    const Eigen::Vector2d there = blended(measure::shares(from.face(face), p), places(original, before, f));
     const auto squared_at = [&](std::uint32_t g) {
       const measure::Corners corners = measure::corners(apart, apart.triangles[g]);
-      const auto is = measure::shares(corners, measure::closest_point(in_cell, corners));
-      const auto now = places(simplified, after, g);
-      const Eigen::Vector2d here = is[0] * now[0] + is[1] * now[1] + is[2] * now[2];
+      const Eigen::Vector2d here = blended(measure::shares(corners, measure::closest_point(in_cell, corners)),
+                                           places(simplified, after, g));
       return (here - there).cwiseProduct(texels).squaredNorm();
     };
     const std::uint32_t g = to.index(closest.closest(in_cell).face);

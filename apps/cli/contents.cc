@@ -29,16 +29,6 @@ Json faces_by_name(const files::Parts& parts, Name name_of) {
   return out;
 }
 
-Json materials_of(const files::Parts& parts) {
-  std::vector<std::size_t> faces(parts.materials.size(), 0);
-  for (const std::uint32_t part : parts.of_face)
-    if (const std::uint32_t material = parts.list[part].material; material < faces.size()) ++faces[material];
-  Json out = Json::array();
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    out.push_back({{"name", parts.materials[i].name}, {"faces", faces[i]}});
-  return out;
-}
-
 /// What each of a list is called; an image without a name by its file.
 Json names_in(const nlohmann::json& document, const char* key) {
   Json out = Json::array();
@@ -92,13 +82,23 @@ std::string names_line(const char* what, const Json& list, const std::string& mo
 
 }  // namespace
 
+Json materials_json(const files::Parts& parts) {
+  std::vector<std::size_t> faces(parts.materials.size(), 0);
+  for (const std::uint32_t part : parts.of_face)
+    if (const std::uint32_t material = parts.list[part].material; material < faces.size()) ++faces[material];
+  Json out = Json::array();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    out.push_back({{"name", parts.materials[i].name}, {"faces", faces[i]}});
+  return out;
+}
+
 Json contents_json(const std::string& path, const files::MeshFile& in) {
   Json images = Json::array(), libraries = Json::array();
   for (const files::Image& image : in.parts.images) images.push_back(image.name);
   for (const files::Library& library : in.parts.libraries) libraries.push_back(library.name);
   const bool is_gltf = in.report.format.rfind("glTF", 0) == 0;
   return {{"unit", in.unit.empty() ? Json(nullptr) : Json(in.unit)},
-          {"materials", materials_of(in.parts)},
+          {"materials", materials_json(in.parts)},
           {"objects", faces_by_name(in.parts, [](const files::Part& part) { return part.object; })},
           {"groups", faces_by_name(in.parts, [](const files::Part& part) { return part.group; })},
           {"images", images},

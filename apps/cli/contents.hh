@@ -9,6 +9,9 @@
 
 namespace whittle::cli {
 
+/// The materials by name, with how many faces each has.
+Json materials_json(const files::Parts& parts);
+
 /// Of a glTF file the document is read once more, unless it came from standard input; `scene` is null for other formats.
 /// \param path  of the file
 /// \param in    as it was read for other formats

@@ -7,6 +7,7 @@
 #include "cli/RecipeOptions.hh"
 #include "cli/changes.hh"
 #include "cli/commands.hh"
+#include "cli/contents.hh"
 #include "cli/report.hh"
 #include "files/Outputs.hh"
 #include "recipe/Stopwatch.hh"
@@ -115,17 +116,6 @@ Json names(const attributes::Attributes& attributes) {
 Json paths_of(const std::set<std::filesystem::path>& files) {
   Json out = Json::array();
   for (const std::filesystem::path& file : files) out.push_back(file.string());
-  return out;
-}
-
-/// By name, with how many faces each has.
-Json materials_json(const files::Parts& parts) {
-  std::vector<std::size_t> faces(parts.materials.size(), 0);
-  for (const std::uint32_t part : parts.of_face)
-    if (parts.list[part].material != files::Part::none) ++faces[parts.list[part].material];
-  Json out = Json::array();
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    out.push_back({{"name", parts.materials[i].name}, {"faces", faces[i]}});
   return out;
 }
 
