@@ -87,21 +87,21 @@ void NodeAnimations::aim_weights(std::size_t node, const std::vector<std::size_t
   }
 }
 
-std::size_t NodeAnimations::move_mesh_to_child(std::size_t number) {
+std::size_t NodeAnimations::move_mesh_to_child(std::size_t node) {
   constexpr const char* instances = "EXT_mesh_gpu_instancing";
   Json& nodes = document_["nodes"];
-  Json& node = nodes[number];
+  Json& parent = nodes[node];
   Json child;
-  for (const char* key : {"mesh", "skin", "weights"}) move_member(node, child, key);
-  if (node.contains("extensions")) {
-    move_member(node["extensions"], child["extensions"], instances);
+  for (const char* key : {"mesh", "skin", "weights"}) move_member(parent, child, key);
+  if (parent.contains("extensions")) {
+    move_member(parent["extensions"], child["extensions"], instances);
     if (child["extensions"].is_null()) child.erase("extensions");
-    if (node["extensions"].empty()) node.erase("extensions");
+    if (parent["extensions"].empty()) parent.erase("extensions");
   }
   const std::size_t place = nodes.size();
-  node["children"].push_back(place);
+  parent["children"].push_back(place);
   nodes.push_back(std::move(child));
-  aim_weights(number, {place});
+  aim_weights(node, {place});
   return place;
 }
 

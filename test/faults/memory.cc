@@ -88,7 +88,10 @@ std::string family() {
   std::string nodes;
   for (int i = 0; i < 30; ++i) {
     const std::string child = std::to_string(i + 1);
-    nodes += R"({"children":[)" + times(9, child + ",") + child + "]},";
+    nodes += R"({"children":[)";
+    nodes += times(9, child + ",");
+    nodes += child;
+    nodes += "]},";
   }
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)" + nodes +
          R"({"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
